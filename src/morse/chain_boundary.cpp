@@ -48,7 +48,7 @@ class TieBreaker {
   // Adds all sides that lead to a front inside the polygon's Voronoi edge.
   void add_sides(FrontNumber front, PolygonRef polygon) {
     for (const PolygonSide& side : diagram_.sides(polygon)) {
-      if (side.angle == Sign::kPositive) add(front, {side.v0, side.v1});
+      if (side.angle == Sign::kPositive) add(front, side.facet());
     }
   }
 

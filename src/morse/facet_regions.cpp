@@ -6,8 +6,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "morse/polygon_turn.h"
-
 namespace flowcert::morse {
 
 namespace {
@@ -27,32 +25,20 @@ struct FacetSide {
 class FacetWalk {
  public:
   FacetWalk(const Diagram& diagram, const LimitPartition& partition, const FacetRing& ring)
-      : diagram_(diagram), partition_(partition), ring_(ring), n_(ring.size()) {
-    FilterTally tally;
-    chain_ = obtuse_chain(diagram, ring.facet, ring, tally);
-    run_ = far_run(diagram, ring, chain_);
-  }
+      : partition_(partition), sides_(diagram, ring) {}
 
   [[nodiscard]] std::vector<FacetRegion> regions() {
     go_along_far_side();
-    if (chain_.count == 0) return triangles();
+    if (sides_.near().count == 0) return triangles();
     go_along_near_side();
     return regions_between_rays();
   }
 
  private:
-  [[nodiscard]] const RingPiece& piece(std::size_t k) const { return ring_.pieces[k % n_]; }
-  [[nodiscard]] bool is_forward(std::size_t k) const {
-    return has_turn(diagram_, piece(k).polygon(), {ring_.facet.v0, ring_.facet.v1, piece(k).apex});
-  }
-
   [[nodiscard]] RegionCorner element(std::size_t k) const {
-    if (piece(k).vertex != kNoCell) return {RegionCorner::Kind::kVertex, 0, piece(k).vertex};
-    const std::size_t before = ring_.before(k % n_);
-    const bool is_far_end = ring_.pieces[before].is_finite();
-    const std::size_t edge = is_far_end ? before : k;
-    const std::uint8_t end = is_forward(edge) == is_far_end ? 1 : 0;
-    return {RegionCorner::Kind::kEnd, end, piece(edge).packed};
+    if (sides_.vertex(k) != kNoCell) return {RegionCorner::Kind::kVertex, 0, sides_.vertex(k)};
+    const auto [polygon, end] = sides_.end_at_infinity(k);
+    return {RegionCorner::Kind::kEnd, static_cast<std::uint8_t>(end), RingPiece::pack(polygon)};
   }
   [[nodiscard]] RegionCorner corner_of(PointOfDivision number) const {
     const DivisionPoint& point = partition_.point(number);
@@ -63,21 +49,23 @@ class FacetWalk {
   // The divisions of a piece in the sense of the ring, or against it.
   template <class Use>
   void for_divisions(std::size_t k, bool with_ring, const Use& use) const {
-    if (!piece(k).is_finite()) return use(Division{kInfinityLimit});
-    const std::span<const Division> divisions = partition_.edge(piece(k).polygon());
-    const bool is_along = divisions.size() == 1 || is_forward(k) == with_ring;
+    const RingPiece& piece = sides_.piece(k);
+    if (!piece.is_finite()) return use(Division{kInfinityLimit});
+    const std::span<const Division> divisions = partition_.edge(piece.polygon());
+    const bool is_along = divisions.size() == 1 || sides_.is_forward(k) == with_ring;
     for (std::size_t i = 0; i < divisions.size(); ++i) use(divisions[is_along ? i : divisions.size() - 1 - i]);
   }
 
   // From an element to an element. All the way around, these are the same.
   void go_along_far_side() {
-    far_.items.push_back({element(run_.first), true});
-    for (std::uint32_t i = 0; i < run_.count; ++i) {
-      const std::size_t k = run_.first + i;
+    const PieceRun far = sides_.far();
+    far_.items.push_back({element(far.first), true});
+    for (std::uint32_t i = 0; i < far.count; ++i) {
+      const std::size_t k = far.first + i;
       if (i > 0) far_.items.push_back({element(k)});
       for_divisions(k, true, [&](const Division& division) { add_far(division); });
     }
-    far_.items.push_back({element(run_.first + run_.count), true});
+    far_.items.push_back({element(far.first + far.count), true});
   }
 
   // An element that is followed by an arc separates unless its limit is that of both arcs beside it.
@@ -98,15 +86,16 @@ class FacetWalk {
   }
 
   void go_along_near_side() {
-    near_.items.push_back({element(chain_.first + chain_.count), true});
-    for (std::size_t left = chain_.count; left > 0; --left) {
-      const std::size_t k = chain_.first + left - 1;
+    const PieceRun near = sides_.near();
+    near_.items.push_back({element(near.first + near.count), true});
+    for (std::size_t left = near.count; left > 0; --left) {
+      const std::size_t k = near.first + left - 1;
       for_divisions(k, false, [&](const Division& division) {
         if (!division.is_arc()) near_.items.push_back({corner_of(division.point), true});
       });
-      if (left > 1) near_.items.push_back({element(k), partition_.point_behind(piece(k).vertex).has_value()});
+      if (left > 1) near_.items.push_back({element(k), partition_.point_behind(sides_.vertex(k)).has_value()});
     }
-    near_.items.push_back({element(chain_.first), true});
+    near_.items.push_back({element(near.first), true});
   }
 
   // The facet contains its midpoint. Each step along the far side is the base of a triangle.
@@ -154,12 +143,8 @@ class FacetWalk {
     return regions;
   }
 
-  const Diagram& diagram_;
   const LimitPartition& partition_;
-  const FacetRing& ring_;
-  std::size_t n_;
-  ObtuseChain chain_;
-  PieceRun run_;
+  FacetSides sides_;
   FacetSide far_, near_;
 };
 

@@ -5,7 +5,6 @@
 
 #include <vector>
 
-#include "flow/drivers.h"
 #include "flowcert/stable_regions.h"
 #include "morse/limit_partition.h"
 

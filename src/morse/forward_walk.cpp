@@ -5,8 +5,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "morse/polygon_turn.h"
-
 namespace flowcert::morse {
 
 namespace {
@@ -32,8 +30,7 @@ SurfaceParts ForwardWalk::walk(FacetName root, CellIndex hint) {
   SurfaceParts parts;
   parts.sheets.push_back({root, {}});
   if (faces_.dimension() < 2) return parts;
-  const RingNumber root_number = facet(root, hint).ring.id;
-  const Facet from = facets_.at(root_number);
+  const FacetSides from = facet(root, hint);
   add_root(from);
   while (!tasks_.empty()) {
     const Task task = tasks_.back();
@@ -41,18 +38,18 @@ SurfaceParts ForwardWalk::walk(FacetName root, CellIndex hint) {
     task.vertex != kNoCell ? follow_vertex(task.vertex) : follow_part(task.polygon, task.part);
   }
   if (faces_.dimension() == 3) {
-    for (std::size_t k = 0; k < from.pieces.size(); ++k) parts.sheets.front().corners.push_back(element(from, k));
+    for (std::size_t k = 0; k < from.size(); ++k) parts.sheets.front().corners.push_back(element(from, k));
   }
   for (const auto& [cluster, step] : vertices_) parts.vertices.push_back(cluster);
   for (const auto& [packed, edge] : edges_) parts.edges.push_back(parts_of(edge));
   for (const auto& [number, facet] : facets_) {
-    if (number != root_number) list_facet(facet, parts);
+    if (number != from.ring().id) list_facet(facet.sides, parts);
   }
   return parts;
 }
 
-void ForwardWalk::add_root(const Facet& root) {
-  for (const RingPiece& piece : root.pieces) {
+void ForwardWalk::add_root(const FacetSides& root) {
+  for (const RingPiece& piece : root.ring().pieces) {
     if (piece.vertex != kNoCell) add_vertex(piece.vertex);
     if (piece.is_finite()) add_part(piece.polygon(), {TraceEnd::end(0), TraceEnd::end(1)});
   }
@@ -83,7 +80,7 @@ void ForwardWalk::follow_vertex(CellIndex cluster) {
     if (faces_.end(polygon, far) != kNoCell) add_vertex(faces_.end(polygon, far));
     return;
   }
-  const Facet& through = facet(step.crossed.facet, cluster);
+  const FacetSides& through = facet(step.crossed.facet, cluster);
   const Exit exit = exit_of(through, vertex_location(cluster), step);
   sweep(through, exit, exit);
 }
@@ -91,9 +88,9 @@ void ForwardWalk::follow_vertex(CellIndex cluster) {
 void ForwardWalk::follow_part(PolygonRef polygon, const TracePart& part) {
   const PolygonDriver driver = faces_.driver(polygon);
   if (driver.shape != Sign::kNegative) return run(polygon, part);
-  const Facet& through = facet(driver.side, faces_.diagram().cell_of_side(polygon, driver.side));
-  const std::size_t piece = faces_.rings().piece_of(faces_.rings().at(through.ring.id), polygon);
-  const bool forward = is_forward(through, piece);
+  const FacetSides& through = facet(driver.side, faces_.diagram().cell_of_side(polygon, driver.side));
+  const std::size_t piece = faces_.rings().piece_of(through.ring(), polygon);
+  const bool forward = through.is_forward(piece);
   const Exit first = exit_of_end(through, piece, forward ? part.to : part.from);
   const Exit last = exit_of_end(through, piece, forward ? part.from : part.to);
   sweep(through, first, last);
@@ -109,27 +106,27 @@ void ForwardWalk::run(PolygonRef polygon, const TracePart& part) {
 }
 
 // Adds what the rays come to that leave from the first exit to the last one, in the ring's order.
-void ForwardWalk::sweep(const Facet& facet, const Exit& first, const Exit& last) {
-  const std::size_t count = 2 * facet.pieces.size();
+void ForwardWalk::sweep(const FacetSides& facet, const Exit& first, const Exit& last) {
+  const std::size_t count = 2 * facet.size();
   const auto inside = [&](std::size_t piece, const TraceEnd& from, const TraceEnd& to) {
-    if (!facet.pieces[piece].is_finite()) return;
-    const bool forward = is_forward(facet, piece);
-    add_part(facet.pieces[piece].polygon(), forward ? TracePart{from, to} : TracePart{to, from});
+    if (!facet.piece(piece).is_finite()) return;
+    const bool forward = facet.is_forward(piece);
+    add_part(facet.piece(piece).polygon(), forward ? TracePart{from, to} : TracePart{to, from});
   };
   const auto ring_end = [&](std::size_t piece, bool is_last) {
-    return TraceEnd::end(is_forward(facet, piece) == is_last ? 1 : 0);
+    return TraceEnd::end(facet.is_forward(piece) == is_last ? 1 : 0);
   };
   const auto is_inside = [](const Exit& exit) { return exit.place % 2 == 1; };
   const auto point = [](const Exit& exit) { return TraceEnd{TraceEnd::Kind::kPoint, exit.end.at}; };
   if (first.place == last.place && is_inside(first)) return inside(first.place / 2, point(first), point(last));
-  if (is_inside(first) && facet.pieces[first.place / 2].is_finite()) {
+  if (is_inside(first) && facet.piece(first.place / 2).is_finite()) {
     inside(first.place / 2, point(first), ring_end(first.place / 2, true));
   }
   for (std::size_t place = is_inside(first) ? (first.place + 1) % count : first.place;; place = (place + 1) % count) {
     const std::size_t k = place / 2;
     if (place % 2 == 0) {
-      if (facet.pieces[k].vertex != kNoCell) add_vertex(facet.pieces[k].vertex);
-    } else if (facet.pieces[k].is_finite()) {
+      if (facet.vertex(k) != kNoCell) add_vertex(facet.vertex(k));
+    } else if (facet.piece(k).is_finite()) {
       inside(k, ring_end(k, false), place == last.place ? point(last) : ring_end(k, true));
     }
     if (place == last.place) return;
@@ -138,16 +135,12 @@ void ForwardWalk::sweep(const Facet& facet, const Exit& first, const Exit& last)
 
 // ---- Faces ----
 
-ForwardWalk::Facet& ForwardWalk::facet(FacetName name, CellIndex hint) {
+const FacetSides& ForwardWalk::facet(FacetName name, CellIndex hint) {
   const FacetRing ring = faces_.ring(name, hint);
-  const auto [known, is_new] = facets_.try_emplace(ring.id);
-  Facet& facet = known->second;
-  if (is_new) {
-    facet.pieces.assign(ring.pieces.begin(), ring.pieces.end());
-    facet.ring = {ring.id, ring.facet, facet.pieces};
-    facet.chain = obtuse_chain(faces_.diagram(), name, facet.ring, tally_);
-  }
-  return facet;
+  if (const auto known = facets_.find(ring.id); known != facets_.end()) return known->second.sides;
+  std::vector<RingPiece> pieces(ring.pieces.begin(), ring.pieces.end());
+  const FacetSides sides(faces_.diagram(), {ring.id, ring.facet, pieces});
+  return facets_.emplace(ring.id, Facet{std::move(pieces), sides}).first->second.sides;
 }
 
 ForwardWalk::Edge& ForwardWalk::edge(PolygonRef polygon) {
@@ -160,20 +153,6 @@ const FlowStep& ForwardWalk::step_of(CellIndex cluster) {
   std::optional<FlowStep>& step = vertices_[cluster];
   if (!step) step = flow_.step(vertex_location(cluster));
   return *step;
-}
-
-// Whether the ring goes along the piece's Voronoi edge from end 0 to end 1. It goes along (p1-p0) x (apex-p0).
-bool ForwardWalk::is_forward(const Facet& facet, std::size_t piece) const {
-  const RingPiece& at = facet.pieces[piece];
-  return has_turn(faces_.diagram(), at.polygon(), {facet.ring.facet.v0, facet.ring.facet.v1, at.apex});
-}
-
-bool ForwardWalk::is_right(const Facet& facet, std::size_t piece) const {
-  if (!facet.pieces[piece].is_finite()) return false;
-  const PolygonSides sides = faces_.sides(facet.pieces[piece].polygon());
-  return std::ranges::any_of(sides, [&](const PolygonSide& side) {
-    return FacetName{side.v0, side.v1} == facet.ring.facet && side.angle == Sign::kZero;
-  });
 }
 
 // The end of the edge beyond which the centre of its polygon lies, or at which; nothing if it is inside the edge.
@@ -199,46 +178,47 @@ int ForwardWalk::side_of(PolygonRef polygon, const TraceEnd& end) {
 
 // ---- Exits ----
 
-ForwardWalk::Exit ForwardWalk::exit_of(const Facet& facet, const Location& from, const FlowStep& step) {
+ForwardWalk::Exit ForwardWalk::exit_of(const FacetSides& facet, const Location& from, const FlowStep& step) {
   const Place& place = step.end.place;
-  const FacetRing ring = faces_.rings().at(facet.ring.id);
+  const FacetRing& ring = facet.ring();
   SurfaceEnd end;
   end.at = step.end;
   if (place.kind == Place::Kind::kVertex) return {2 * faces_.rings().element_of(ring, place.vertex), end};
   if (place.kind == Place::Kind::kEdge) return {2 * faces_.rings().piece_of(ring, place.edge) + 1, end};
-  const auto infinite = std::ranges::find_if(facet.pieces, [](const RingPiece& piece) { return !piece.is_finite(); });
-  if (infinite == facet.pieces.end()) throw std::logic_error("a ray to infinity in a bounded facet");
-  end = {SurfaceEnd::Kind::kThrough, from, facet.ring.facet};
-  return {2 * static_cast<std::size_t>(infinite - facet.pieces.begin()) + 1, end};
+  const auto infinite = std::ranges::find_if(ring.pieces, [](const RingPiece& piece) { return !piece.is_finite(); });
+  if (infinite == ring.pieces.end()) throw std::logic_error("a ray to infinity in a bounded facet");
+  end = {SurfaceEnd::Kind::kThrough, from, ring.facet};
+  return {2 * static_cast<std::size_t>(infinite - ring.pieces.begin()) + 1, end};
 }
 
 // At the ends of the near side, rays only touch the facet. A right edge there lies on such a ray.
-ForwardWalk::Exit ForwardWalk::exit_of_end(const Facet& facet, std::size_t piece, const TraceEnd& end) {
+ForwardWalk::Exit ForwardWalk::exit_of_end(const FacetSides& facet, std::size_t piece, const TraceEnd& end) {
   if (end.kind == TraceEnd::Kind::kPoint) {
     const auto known = steps_.find(end.at.point);
     const FlowStep step = known != steps_.end() ? known->second : flow_.step(end.at);
     steps_.try_emplace(end.at.point, step);
     return exit_of(facet, end.at, step);
   }
-  const std::size_t n = facet.pieces.size();
-  const bool is_last = end.is_end(1) == is_forward(facet, piece);  // the end in the ring's order
+  const std::size_t n = facet.size();
+  const PieceRun near = facet.near();
+  const bool is_last = end.is_end(1) == facet.is_forward(piece);  // the end in the ring's order
   std::size_t k = is_last ? (piece + 1) % n : piece;
-  if (is_last ? k == (facet.chain.first + facet.chain.count) % n : k == facet.chain.first) {
-    if (is_last && is_right(facet, k)) {
+  if (is_last ? k == (near.first + near.count) % n : k == near.first) {
+    if (is_last && facet.angle(k) == Sign::kZero) {
       k = (k + 1) % n;
-    } else if (!is_last && is_right(facet, (k + n - 1) % n)) {
+    } else if (!is_last && facet.angle(k + n - 1) == Sign::kZero) {
       k = (k + n - 1) % n;
     }
     return {2 * k, element(facet, k)};
   }
-  const CellIndex cluster = facet.pieces[k].vertex;
+  const CellIndex cluster = facet.vertex(k);
   return exit_of(facet, vertex_location(cluster), FlowStep(step_of(cluster)));
 }
 
-bool ForwardWalk::enters(const Facet& facet, CellIndex cluster) {
+bool ForwardWalk::enters(const FacetSides& facet, CellIndex cluster) {
   if (cluster == kNoCell || !vertices_.contains(cluster)) return false;
   const FlowStep& step = step_of(cluster);
-  return !step.stationary && step.crossed.kind == Place::Kind::kFacet && step.crossed.facet == facet.ring.facet;
+  return !step.stationary && step.crossed.kind == Place::Kind::kFacet && step.crossed.facet == facet.ring().facet;
 }
 
 // ---- The parts of the set ----
@@ -277,18 +257,18 @@ void ForwardWalk::add_runs(const Edge& edge, std::size_t end, std::vector<TraceP
 
 // The traces on the near side, put together where they meet at Voronoi vertices. Vertices that no trace comes to are
 // segments of their own.
-std::vector<ForwardWalk::NearPart> ForwardWalk::near_parts(const Facet& facet, SurfaceParts& parts) {
+std::vector<ForwardWalk::NearPart> ForwardWalk::near_parts(const FacetSides& facet, SurfaceParts& parts) {
   std::vector<NearPart> near;
-  const std::size_t n = facet.pieces.size();
-  for (std::size_t left = facet.chain.count; left > 0; --left) {
-    const std::size_t piece = (facet.chain.first + left - 1) % n;
-    const bool forward = is_forward(facet, piece);
-    const auto known = edges_.find(facet.pieces[piece].packed);
+  const std::size_t n = facet.size();
+  for (std::size_t left = facet.near().count; left > 0; --left) {
+    const std::size_t piece = (facet.near().first + left - 1) % n;
+    const bool forward = facet.is_forward(piece);
+    const auto known = edges_.find(facet.piece(piece).packed);
     std::vector<TracePart> traces;
     if (known != edges_.end()) traces = known->second.arrived.parts();
     if (forward) std::ranges::reverse(traces);
-    bool is_joined = left < facet.chain.count && !near.empty() && near.back().last_piece == (piece + 1) % n &&
-                     near.back().last.is_end(is_forward(facet, near.back().last_piece) ? 0 : 1);
+    bool is_joined = left < facet.near().count && !near.empty() && near.back().last_piece == (piece + 1) % n &&
+                     near.back().last.is_end(facet.is_forward(near.back().last_piece) ? 0 : 1);
     for (const TracePart& trace : traces) {
       const TraceEnd &first = forward ? trace.to : trace.from, &last = forward ? trace.from : trace.to;
       if (is_joined && first.is_end(forward ? 1 : 0)) {
@@ -299,40 +279,40 @@ std::vector<ForwardWalk::NearPart> ForwardWalk::near_parts(const Facet& facet, S
       }
       is_joined = false;
     }
-    const CellIndex cluster = facet.pieces[piece].vertex;
+    const CellIndex cluster = facet.vertex(piece);
     const bool has_trace = !traces.empty() && near.back().last.is_end(forward ? 0 : 1);
     if (left == 1 || has_trace || !enters(facet, cluster)) continue;
     const std::size_t next = (piece + n - 1) % n;
-    const auto beyond = edges_.find(facet.pieces[next].packed);
-    const std::size_t end = is_forward(facet, next) ? 1 : 0;
+    const auto beyond = edges_.find(facet.piece(next).packed);
+    const std::size_t end = facet.is_forward(next) ? 1 : 0;
     const bool is_begun = beyond != edges_.end() &&
                           std::ranges::any_of(beyond->second.arrived.parts(),
                                               [&](const auto& t) { return t.from.is_end(end) || t.to.is_end(end); });
     if (is_begun) continue;
     const Location start = vertex_location(cluster);
-    parts.segments.push_back({facet.ring.facet, start, exit_of(facet, start, FlowStep(step_of(cluster))).end});
+    parts.segments.push_back({facet.ring().facet, start, exit_of(facet, start, FlowStep(step_of(cluster))).end});
   }
   return near;
 }
 
-void ForwardWalk::list_facet(const Facet& facet, SurfaceParts& parts) {
+void ForwardWalk::list_facet(const FacetSides& facet, SurfaceParts& parts) {
   for (const NearPart& part : near_parts(facet, parts)) list_near_part(facet, part, parts);
 }
 
 // The corners go along the near part, and back along the exits.
-void ForwardWalk::list_near_part(const Facet& facet, const NearPart& part, SurfaceParts& parts) {
+void ForwardWalk::list_near_part(const FacetSides& facet, const NearPart& part, SurfaceParts& parts) {
   const auto& [first_piece, last_piece, first, last] = part;
   const Exit from = exit_of_end(facet, first_piece, first);
   const bool is_point = first.kind == TraceEnd::Kind::kPoint && last.kind == TraceEnd::Kind::kPoint &&
                         first_piece == last_piece &&
-                        order_.compare(facet.pieces[first_piece].polygon(), first, last) == 0;
+                        order_.compare(facet.piece(first_piece).polygon(), first, last) == 0;
   if (is_point) {
-    parts.segments.push_back({facet.ring.facet, first.at, from.end});
+    parts.segments.push_back({facet.ring().facet, first.at, from.end});
     return;
   }
-  SheetParts sheet{facet.ring.facet, {}};
+  SheetParts sheet{facet.ring().facet, {}};
   if (faces_.dimension() == 3) {
-    const std::size_t n = facet.pieces.size();
+    const std::size_t n = facet.size();
     sheet.corners.push_back(near_corner(facet, first_piece, first));
     for (std::size_t k = first_piece; k != last_piece; k = (k + n - 1) % n) sheet.corners.push_back(element(facet, k));
     sheet.corners.push_back(near_corner(facet, last_piece, last));
@@ -346,19 +326,14 @@ void ForwardWalk::list_near_part(const Facet& facet, const NearPart& part, Surfa
   parts.sheets.push_back(std::move(sheet));
 }
 
-SurfaceEnd ForwardWalk::near_corner(const Facet& facet, std::size_t piece, const TraceEnd& end) const {
+SurfaceEnd ForwardWalk::near_corner(const FacetSides& facet, std::size_t piece, const TraceEnd& end) {
   if (end.kind == TraceEnd::Kind::kPoint) return {SurfaceEnd::Kind::kPoint, end.at};
-  const bool is_last = end.is_end(1) == is_forward(facet, piece);
-  return element(facet, is_last ? (piece + 1) % facet.pieces.size() : piece);
+  return element(facet, end.is_end(1) == facet.is_forward(piece) ? piece + 1 : piece);
 }
 
-// The ring goes along (p1-p0) x (apex-p0): to infinity on the piece before a direction, and from there on the one
-// behind it.
-SurfaceEnd ForwardWalk::element(const Facet& facet, std::size_t k) const {
-  const FacetRing ring{facet.ring.id, facet.ring.facet, facet.pieces};
-  const RingElement at = ring.element(k);
-  if (at.vertex != kNoCell) return {SurfaceEnd::Kind::kPoint, vertex_location(at.vertex)};
-  return {SurfaceEnd::Kind::kAlong, {}, ring.facet, at.apex, at.factor};
+SurfaceEnd ForwardWalk::element(const FacetSides& facet, std::size_t k) {
+  if (facet.vertex(k) != kNoCell) return {SurfaceEnd::Kind::kPoint, vertex_location(facet.vertex(k))};
+  return {SurfaceEnd::Kind::kAlong, {}, {0, 0}, facet.end_at_infinity(k)};
 }
 
 }  // namespace flowcert::morse

@@ -13,7 +13,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "flow/drivers.h"
+#include "morse/facet_sides.h"
 #include "morse/trace_set.h"
 
 namespace flowcert::morse {
@@ -22,14 +22,13 @@ namespace flowcert::morse {
 struct SurfaceEnd {
   enum class Kind : std::uint8_t {
     kPoint,    // `at`
-    kAlong,    // at infinity, on the Voronoi edge of `facet` and `apex`: in the direction sign * (p1-p0) x (apex-p0)
+    kAlong,    // at infinity, at the end `along` of a Voronoi edge
     kThrough,  // at infinity, on the ray from the midpoint of `facet` through `at`
   };
   Kind kind = Kind::kPoint;
   Location at;
   FacetName facet{0, 0};
-  VertexIndex apex = kInfiniteVertex;
-  int sign = 1;
+  EdgeEnd along{{kNoCell, 0}, 0};
 };
 
 // Corners in cyclic order; two neighbours may be at one place. There are none if P does not span space.
@@ -68,9 +67,8 @@ class ForwardWalk {
     std::array<bool, 2> runs_to{}, runs_whole_to{};  // by end: from a trace, from the other end
   };
   struct Facet {
-    FacetRing ring;  // its pieces are those below
-    std::vector<RingPiece> pieces;
-    ObtuseChain chain;
+    std::vector<RingPiece> pieces;  // of its sides' ring
+    FacetSides sides;
   };
   // Where a ray leaves a facet: at element k of the ring, which is place 2 k, or inside piece k, at place 2 k + 1.
   struct Exit {
@@ -91,35 +89,32 @@ class ForwardWalk {
   void clear();
   void add_vertex(CellIndex cluster);
   void add_part(PolygonRef polygon, const TracePart& part);
-  void add_root(const Facet& root);
+  void add_root(const FacetSides& root);
   void follow_vertex(CellIndex cluster);
   void follow_part(PolygonRef polygon, const TracePart& part);
   void run(PolygonRef polygon, const TracePart& part);
-  void sweep(const Facet& facet, const Exit& first, const Exit& last);
+  void sweep(const FacetSides& facet, const Exit& first, const Exit& last);
 
-  [[nodiscard]] Facet& facet(FacetName name, CellIndex hint);
+  [[nodiscard]] const FacetSides& facet(FacetName name, CellIndex hint);
   [[nodiscard]] Edge& edge(PolygonRef polygon);
   [[nodiscard]] const FlowStep& step_of(CellIndex cluster);
   [[nodiscard]] std::optional<int> centre_beyond(PolygonRef polygon) const;
   [[nodiscard]] int side_of(PolygonRef polygon, const TraceEnd& end);
-  [[nodiscard]] bool is_forward(const Facet& facet, std::size_t piece) const;
-  [[nodiscard]] bool is_right(const Facet& facet, std::size_t piece) const;
-  [[nodiscard]] Exit exit_of(const Facet& facet, const Location& from, const FlowStep& step);
-  [[nodiscard]] Exit exit_of_end(const Facet& facet, std::size_t piece, const TraceEnd& end);
-  [[nodiscard]] bool enters(const Facet& facet, CellIndex cluster);
+  [[nodiscard]] Exit exit_of(const FacetSides& facet, const Location& from, const FlowStep& step);
+  [[nodiscard]] Exit exit_of_end(const FacetSides& facet, std::size_t piece, const TraceEnd& end);
+  [[nodiscard]] bool enters(const FacetSides& facet, CellIndex cluster);
 
   [[nodiscard]] EdgeParts parts_of(const Edge& edge);
   void add_runs(const Edge& edge, std::size_t end, std::vector<TracePart>& runs);
-  void list_facet(const Facet& facet, SurfaceParts& parts);
-  [[nodiscard]] std::vector<NearPart> near_parts(const Facet& facet, SurfaceParts& parts);
-  void list_near_part(const Facet& facet, const NearPart& part, SurfaceParts& parts);
-  [[nodiscard]] SurfaceEnd element(const Facet& facet, std::size_t k) const;
-  [[nodiscard]] SurfaceEnd near_corner(const Facet& facet, std::size_t piece, const TraceEnd& end) const;
+  void list_facet(const FacetSides& facet, SurfaceParts& parts);
+  [[nodiscard]] std::vector<NearPart> near_parts(const FacetSides& facet, SurfaceParts& parts);
+  void list_near_part(const FacetSides& facet, const NearPart& part, SurfaceParts& parts);
+  [[nodiscard]] static SurfaceEnd element(const FacetSides& facet, std::size_t k);
+  [[nodiscard]] static SurfaceEnd near_corner(const FacetSides& facet, std::size_t piece, const TraceEnd& end);
 
   VoronoiFaces& faces_;
   FlowOperator& flow_;
   TraceOrder order_;
-  FilterTally tally_;
   std::vector<Task> tasks_;
   std::unordered_map<CellIndex, std::optional<FlowStep>> vertices_;  // a step once it was asked for
   std::unordered_map<std::uint32_t, Edge> edges_;                    // by packed polygon

@@ -5,9 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "flow/drivers.h"
 #include "geometry/contract.h"
-#include "morse/polygon_turn.h"
 #include "morse/record_facet.h"
 #include "voronoi/each_polygon.h"
 
@@ -113,21 +111,21 @@ bool LimitPartition::finish_vertex(const Task& task) {
 }
 
 bool LimitPartition::finish_facet(FacetName facet, CellIndex hint) {
-  const FacetRing ring = faces_.ring(facet, hint);
-  const ObtuseChain chain = obtuse_chain(faces_.diagram(), facet, ring, tally_);
-  if (chain.count == 0 || of_edge_[ring.pieces[chain.first].packed] != kNotDivided) return true;
-  const PieceRun run = far_run(faces_.diagram(), ring, chain);
-  if (!is_ready(ring, run)) return false;
-  make_fan(ring, run);
-  divide_near_side(ring, chain);
+  const FacetSides sides(faces_.diagram(), faces_.ring(facet, hint));
+  const PieceRun near = sides.near();
+  if (near.count == 0 || of_edge_[sides.piece(near.first).packed] != kNotDivided) return true;
+  if (!is_ready(sides)) return false;
+  make_fan(sides);
+  divide_near_side(sides);
   return true;
 }
 
 // Asks for all that is missing.
-bool LimitPartition::is_ready(const FacetRing& ring, PieceRun run) {
+bool LimitPartition::is_ready(const FacetSides& sides) {
   bool ready = true;
-  for (std::uint32_t i = 0; i < run.count; ++i) {
-    const RingPiece& piece = ring.pieces[(run.first + i) % ring.size()];
+  const PieceRun far = sides.far();
+  for (std::uint32_t i = 0; i < far.count; ++i) {
+    const RingPiece& piece = sides.piece(far.first + i);
     if (i > 0 && piece.vertex != kNoCell && !request_vertex(piece.vertex)) ready = false;
     if (piece.is_finite() && !request_edge(piece.polygon())) ready = false;
   }
@@ -178,12 +176,12 @@ void LimitPartition::store(PolygonRef polygon, bool is_reversed) {
 }
 
 // The rays of the fan meet the near side clockwise, and so against the ring's order.
-void LimitPartition::divide_near_side(const FacetRing& ring, const ObtuseChain& chain) {
-  const std::size_t n = ring.size();
-  std::size_t left = chain.count;  // pieces that are not divided yet; the last one is at hand
-  const auto at_hand = [&] { return (chain.first + left - 1) % n; };
+void LimitPartition::divide_near_side(const FacetSides& sides) {
+  const PieceRun near = sides.near();
+  std::size_t left = near.count;  // pieces that are not divided yet; the last one is at hand
+  const auto at_hand = [&] { return near.first + left - 1; };
   const auto close_piece = [&] {
-    store(ring.pieces[at_hand()].polygon(), is_forward(ring, at_hand()));
+    store(sides.piece(at_hand()).polygon(), sides.is_forward(at_hand()));
     slice_.clear();
     --left;
   };
@@ -195,29 +193,29 @@ void LimitPartition::divide_near_side(const FacetRing& ring, const ObtuseChain& 
       slice_.push_back({arc});
       continue;
     }
-    const BackwardWalk::Back back = walk_.step(front_of(ring, entry), ring.facet);
+    const BackwardWalk::Back back = walk_.step(front_of(sides, entry), sides.ring().facet);
     const Place place = walk_.place(back.front);
     bool is_vertex = false;
-    while (!is_vertex && !(place.kind == Place::Kind::kEdge && place.edge == ring.pieces[at_hand()].polygon())) {
-      const CellIndex cluster = ring.pieces[at_hand()].vertex;
+    while (!is_vertex && !(place.kind == Place::Kind::kEdge && place.edge == sides.piece(at_hand()).polygon())) {
+      const CellIndex cluster = sides.vertex(at_hand());
       is_vertex = place.kind == Place::Kind::kVertex && place.vertex == cluster;
       of_vertex_[cluster] = is_vertex ? entry.limit : arc;
-      if (is_vertex) behind_vertex_.emplace(cluster, point_of(ring, entry));
+      if (is_vertex) behind_vertex_.emplace(cluster, point_of(sides, entry));
       close_piece();
       if (!is_vertex) slice_.push_back({arc});
     }
     if (is_vertex) continue;
-    const PointOfDivision far = point_of(ring, entry);
-    DivisionPoint point{DivisionPoint::Kind::kCrossing, far, ring.facet, ring.pieces[at_hand()].apex};
+    const PointOfDivision far = point_of(sides, entry);
+    DivisionPoint point{DivisionPoint::Kind::kCrossing, far, sides.ring().facet, sides.piece(at_hand()).apex};
     const bool is_element = entry.point == kAtElement;
-    point.far_apex = ring.pieces[is_element ? ring.before(entry.piece) : entry.piece].apex;
-    point.other = ring.pieces[entry.piece].apex;
+    point.far_apex = sides.piece(is_element ? sides.ring().before(entry.piece) : entry.piece).apex;
+    point.other = sides.piece(entry.piece).apex;
     slice_.push_back({entry.limit, add(point)});
     fronts_.resize(points_.size());
     fronts_.back() = back.front;
   }
   while (left > 1) {
-    of_vertex_[ring.pieces[at_hand()].vertex] = arc;
+    of_vertex_[sides.vertex(at_hand())] = arc;
     close_piece();
     slice_.push_back({arc});
   }
@@ -225,27 +223,6 @@ void LimitPartition::divide_near_side(const FacetRing& ring, const ObtuseChain& 
 }
 
 // ---- Fans ----
-
-PieceRun far_run(const Diagram& diagram, const FacetRing& ring, const ObtuseChain& chain) {
-  const auto n = static_cast<std::uint32_t>(ring.size());
-  if (chain.count == 0) {
-    if (chain.right_count == 0) return {0, n};
-    return {(chain.right + 1) % n, n - chain.right_count};
-  }
-  PieceRun run{(chain.first + chain.count) % n, n - chain.count};
-  if (chain.right_count == 0) return run;
-  const auto is_right = [&](std::uint32_t k) {
-    const RingPiece& piece = ring.pieces[k % n];
-    if (!piece.is_finite()) return false;
-    const PolygonSides sides = diagram.sides(piece.polygon());
-    return std::ranges::any_of(sides, [&](const PolygonSide& side) {
-      return FacetName{side.v0, side.v1} == ring.facet && side.angle == Sign::kZero;
-    });
-  };
-  if (is_right(run.first)) run = {(run.first + 1) % n, run.count - 1};
-  if (run.count > 0 && is_right(run.first + run.count - 1)) --run.count;
-  return run;
-}
 
 void LimitPartition::append_arc(Limit limit) {
   if (!fan_.empty()) {
@@ -263,17 +240,17 @@ void LimitPartition::append_arc(Limit limit) {
   fan_.push_back({limit, kNoDivision, 0});
 }
 
-void LimitPartition::append_element(const FacetRing& ring, std::uint32_t piece) {
-  const CellIndex cluster = ring.pieces[piece].vertex;
+void LimitPartition::append_element(const FacetSides& sides, std::uint32_t piece) {
+  const CellIndex cluster = sides.vertex(piece);
   if (cluster != kNoCell) fan_.push_back({of_vertex_[cluster], kAtElement, piece});
 }
 
-void LimitPartition::append_edge(const FacetRing& ring, std::uint32_t piece) {
-  if (!ring.pieces[piece].is_finite()) return append_arc(kInfinityLimit);
-  const std::span<const Division> divisions = edge(ring.pieces[piece].polygon());
-  const bool is_forward_here = divisions.size() == 1 || is_forward(ring, piece);
+void LimitPartition::append_edge(const FacetSides& sides, std::uint32_t piece) {
+  if (!sides.piece(piece).is_finite()) return append_arc(kInfinityLimit);
+  const std::span<const Division> divisions = edge(sides.piece(piece).polygon());
+  const bool is_forward = divisions.size() == 1 || sides.is_forward(piece);
   for (std::size_t i = 0; i < divisions.size(); ++i) {
-    const Division& next = divisions[is_forward_here ? i : divisions.size() - 1 - i];
+    const Division& next = divisions[is_forward ? i : divisions.size() - 1 - i];
     if (next.is_arc()) {
       append_arc(next.limit);
     } else {
@@ -282,18 +259,19 @@ void LimitPartition::append_edge(const FacetRing& ring, std::uint32_t piece) {
   }
 }
 
-void LimitPartition::make_fan(const FacetRing& ring, PieceRun run) {
+void LimitPartition::make_fan(const FacetSides& sides) {
   fan_.clear();
-  for (std::uint32_t i = 0; i < run.count; ++i) {
-    const auto piece = static_cast<std::uint32_t>((run.first + i) % ring.size());
-    if (i > 0) append_element(ring, piece);
-    append_edge(ring, piece);
+  const PieceRun far = sides.far();
+  for (std::uint32_t i = 0; i < far.count; ++i) {
+    const auto piece = static_cast<std::uint32_t>((far.first + i) % sides.size());
+    if (i > 0) append_element(sides, piece);
+    append_edge(sides, piece);
   }
 }
 
 // The fan goes all the way around. It begins with a point then, unless there is none.
-void LimitPartition::close_fan(const FacetRing& ring) {
-  append_element(ring, 0);
+void LimitPartition::close_fan(const FacetSides& sides) {
+  append_element(sides, 0);
   const std::size_t size = fan_.size();
   const bool ends_with_point = fan_.back().point != kNoDivision;
   const bool is_kept =
@@ -306,8 +284,8 @@ void LimitPartition::close_fan(const FacetRing& ring) {
   if (fan_.size() > 1) fan_.erase(fan_.begin());
 }
 
-FrontNumber LimitPartition::front_of(const FacetRing& ring, const FanEntry& entry) {
-  if (entry.point == kAtElement) return walk_.at_vertex(ring.pieces[entry.piece].vertex);
+FrontNumber LimitPartition::front_of(const FacetSides& sides, const FanEntry& entry) {
+  if (entry.point == kAtElement) return walk_.at_vertex(sides.vertex(entry.piece));
   return fronts_[entry.point];
 }
 
@@ -317,14 +295,8 @@ PointOfDivision LimitPartition::point_at_vertex(CellIndex cluster) {
   return point;
 }
 
-PointOfDivision LimitPartition::point_of(const FacetRing& ring, const FanEntry& entry) {
-  return entry.point == kAtElement ? point_at_vertex(ring.pieces[entry.piece].vertex) : entry.point;
-}
-
-// Whether the ring goes along the piece's Voronoi edge from end 0 to end 1. It goes along (p1-p0) x (apex-p0).
-bool LimitPartition::is_forward(const FacetRing& ring, std::size_t piece) const {
-  const RingPiece& at = ring.pieces[piece];
-  return has_turn(faces_.diagram(), at.polygon(), {ring.facet.v0, ring.facet.v1, at.apex});
+PointOfDivision LimitPartition::point_of(const FacetSides& sides, const FanEntry& entry) {
+  return entry.point == kAtElement ? point_at_vertex(sides.vertex(entry.piece)) : entry.point;
 }
 
 // ---- Directions ----
@@ -362,20 +334,18 @@ void LimitPartition::directions(std::size_t record, std::vector<Division>& list)
     list.push_back({kInfinityLimit});
     return;
   }
-  const ObtuseChain chain = obtuse_chain(faces_.diagram(), ring.facet, ring, tally_);
-  make_fan(ring, far_run(faces_.diagram(), ring, chain));
-  if (index.is_critical()) close_fan(ring);
+  const FacetSides sides(faces_.diagram(), ring);
+  make_fan(sides);
+  if (index.is_critical()) close_fan(sides);
   // The midpoint lies on one piece with a right angle, or between two. The ring goes on along the last one.
   const auto towards = [&](std::size_t piece, bool is_ahead) {
-    return direction_to_end(ring.pieces[piece].polygon(), is_forward(ring, piece) == is_ahead ? 1 : 0);
+    return direction_to_end(sides.piece(piece).polygon(), sides.is_forward(piece) == is_ahead ? 1 : 0);
   };
-  if (!index.is_critical()) list.push_back(towards(chain.right, true));
+  if (!index.is_critical()) list.push_back(towards(sides.last_right(), true));
   for (const FanEntry& entry : fan_) {
-    list.push_back({entry.limit, entry.point == kNoDivision ? kNoDivision : point_of(ring, entry)});
+    list.push_back({entry.limit, entry.point == kNoDivision ? kNoDivision : point_of(sides, entry)});
   }
-  if (!index.is_critical()) {
-    list.push_back(towards(chain.right_count == 2 ? ring.before(chain.right) : chain.right, false));
-  }
+  if (!index.is_critical()) list.push_back(towards(sides.first_right(), false));
 }
 
 }  // namespace flowcert::morse

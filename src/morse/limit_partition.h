@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "morse/backward_walk.h"
+#include "morse/facet_sides.h"
 #include "morse/record_face.h"
 
 namespace flowcert::morse {
@@ -38,7 +39,7 @@ struct Division {
   [[nodiscard]] bool is_arc() const { return point == kNoDivision; }
 };
 
-// How a point of a division was made. It tells its place exactly (division_position.h).
+// How a point of a division was made. It tells its place exactly (division_positions.h).
 struct DivisionPoint {
   enum class Kind : std::uint32_t {
     kVertex,    // the Voronoi vertex `from`
@@ -54,13 +55,6 @@ struct DivisionPoint {
   FacetName facet{0, 0};
   VertexIndex apex = 0, far_apex = 0, other = 0;
 };
-
-// A run of pieces of a ring. Rays from the midpoint cross them counterclockwise.
-struct PieceRun {
-  std::uint32_t first = 0, count = 0;
-};
-// The pieces that rays from the midpoint leave the facet through. Pieces with a right angle lie on rays, at both ends.
-[[nodiscard]] PieceRun far_run(const Diagram& diagram, const FacetRing& ring, const ObtuseChain& chain);
 
 class LimitPartition {
  public:
@@ -120,22 +114,21 @@ class LimitPartition {
   void finish_tasks(const Progress& progress);
   bool finish_vertex(const Task& task);
   bool finish_facet(FacetName facet, CellIndex hint);
-  bool is_ready(const FacetRing& ring, PieceRun run);
+  bool is_ready(const FacetSides& sides);
   bool request_edge(PolygonRef polygon);
   bool request_vertex(CellIndex cluster);
   bool divide_along(PolygonRef polygon);
-  void divide_near_side(const FacetRing& ring, const ObtuseChain& chain);
+  void divide_near_side(const FacetSides& sides);
   // The divisions of slice_.
   void store(PolygonRef polygon, bool is_reversed);
 
-  void make_fan(const FacetRing& ring, PieceRun run);
-  void append_edge(const FacetRing& ring, std::uint32_t piece);
-  void append_element(const FacetRing& ring, std::uint32_t piece);
+  void make_fan(const FacetSides& sides);
+  void append_edge(const FacetSides& sides, std::uint32_t piece);
+  void append_element(const FacetSides& sides, std::uint32_t piece);
   void append_arc(Limit limit);
-  void close_fan(const FacetRing& ring);
-  [[nodiscard]] PointOfDivision point_of(const FacetRing& ring, const FanEntry& entry);
-  [[nodiscard]] FrontNumber front_of(const FacetRing& ring, const FanEntry& entry);
-  [[nodiscard]] bool is_forward(const FacetRing& ring, std::size_t piece) const;
+  void close_fan(const FacetSides& sides);
+  [[nodiscard]] PointOfDivision point_of(const FacetSides& sides, const FanEntry& entry);
+  [[nodiscard]] FrontNumber front_of(const FacetSides& sides, const FanEntry& entry);
   [[nodiscard]] PointOfDivision point_at_vertex(CellIndex cluster);
   void directions_of_face_2(std::size_t record, std::vector<Division>& list);
   [[nodiscard]] Limit limit_at_end(PolygonRef polygon, std::size_t end) const;
@@ -152,7 +145,6 @@ class LimitPartition {
   VoronoiFaces faces_;
   std::unique_ptr<FlowOperator> flow_;
   BackwardWalk walk_;
-  FilterTally tally_;
 
   std::vector<Limit> of_vertex_;        // by cluster
   std::vector<std::uint32_t> of_edge_;  // by packed polygon: where its header is in divisions_

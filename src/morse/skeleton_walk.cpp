@@ -25,7 +25,7 @@ FrontNumber SkeletonWalk::start(std::size_t record) {
 
 void SkeletonWalk::push_sides(FrontNumber front, PolygonRef polygon) {
   for (const PolygonSide& side : faces_.sides(polygon)) {
-    if (side.angle == Sign::kPositive) tasks_.push_back({front, {side.v0, side.v1}});
+    if (side.angle == Sign::kPositive) tasks_.push_back({front, side.facet()});
   }
 }
 
@@ -36,7 +36,7 @@ void SkeletonWalk::push_vertex(CellIndex cluster, FrontNumber front) {
   for (const FacetName edge : sources.edges) tasks_.push_back({front, edge});
   size_.has_interval = size_.has_interval || !sources.polygons.empty();
   for (const PolygonRef polygon : sources.polygons) {
-    sources_of_intervals_.push_back({cluster, polygon, faces_.end(polygon, 0) == cluster ? 0u : 1u});
+    sources_of_intervals_.push_back({cluster, {polygon, faces_.end(polygon, 0) == cluster ? 0u : 1u}});
   }
 }
 
@@ -150,7 +150,7 @@ void SkeletonWalk::record_unbounded_segment(const Task& task, const BackwardWalk
 
 FrontNumber SkeletonWalk::front_of(const Source& source) {
   if (source.cluster != kNoCell) return walk_.at_vertex(source.cluster);
-  return walk_.at_infinity(direction_of_end(faces_.diagram(), source.polygon, source.end), source.polygon.cell);
+  return walk_.at_infinity(direction_of(faces_.diagram(), source.at), source.at.polygon.cell);
 }
 
 void SkeletonWalk::record_interval(FrontNumber front, PolygonRef polygon, FrontNumber back, bool back_is_stationary) {
@@ -167,8 +167,8 @@ void SkeletonWalk::record_intervals() {
   while (!sources_of_intervals_.empty()) {
     const Source source = sources_of_intervals_.back();
     sources_of_intervals_.pop_back();
-    const PolygonRef polygon = source.polygon;
-    const std::size_t far = 1 - source.end;
+    const PolygonRef polygon = source.at.polygon;
+    const std::size_t far = 1 - source.at.end;
     const CellIndex other = faces_.end(polygon, far);
     const Sign beyond = other == kNoCell ? Sign::kPositive : side_at(faces_.diagram(), polygon, far);
     const FrontNumber front = front_of(source);
@@ -189,8 +189,7 @@ void SkeletonWalk::record_sectors(const Arc& arc) {
     arcs.pop_back();
     for (const PolygonSide& side : faces_.sides(next.polygon)) {
       if (side.angle != Sign::kPositive) continue;
-      const FacetName facet{side.v0, side.v1};
-      record_sector(facet, sector_of(faces_, walk_, facet, next), arcs);
+      record_sector(side.facet(), sector_of(faces_, walk_, side.facet(), next), arcs);
     }
   }
 }
@@ -262,7 +261,7 @@ InfinitySet SkeletonWalk::set_of_infinity() {
   is_recorded_ = true;
   const UnboundedFaces unbounded = unbounded_faces(faces_);
   for (const UnboundedFacet& facet : unbounded.facets) record_unbounded_facet(facet);
-  for (const UnboundedEdge& edge : unbounded.edges) sources_of_intervals_.push_back({kNoCell, edge.polygon, edge.end});
+  for (const EdgeEnd& end : unbounded.edges) sources_of_intervals_.push_back({kNoCell, end});
   follow();
   record_intervals();
   sort_found();

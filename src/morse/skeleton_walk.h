@@ -77,8 +77,7 @@ class SkeletonWalk {
   // A polygon that leads to the Voronoi vertex, or to infinity, at an end of its Voronoi edge.
   struct Source {
     CellIndex cluster;  // kNoCell: infinity
-    PolygonRef polygon;
-    std::size_t end;
+    EdgeEnd at;
   };
 
   void clear();

@@ -67,7 +67,7 @@ void StableRegions::visit(const Visit& visit) {
   std::vector<bool> is_visited;
   for_each_polygon(all.diagram, [&](PolygonRef polygon) {
     for (const PolygonSide& side : all.diagram.sides(polygon)) {
-      const FacetName facet{side.v0, side.v1};
+      const FacetName facet = side.facet();
       const FacetRing ring = all.faces.ring(facet, all.diagram.cell_of_side(polygon, facet));
       if (ring.id >= is_visited.size()) is_visited.resize(2 * std::size_t{ring.id} + 1, false);
       if (!is_visited[ring.id]) all.visit_ring(ring, visit);

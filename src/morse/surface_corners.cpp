@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "morse/unbounded_faces.h"
+
 namespace flowcert::morse {
 
 namespace {
@@ -32,20 +34,18 @@ Vector3<Rational> SurfaceCorners::sample(VertexIndex v) const {
 
 SurfaceCorner SurfaceCorners::exact(const SurfaceEnd& end) {
   if (end.kind == SurfaceEnd::Kind::kPoint) return {flow_.exact(end.at)};
-  const Vector3<Rational> p0 = sample(end.facet.v0), p1 = sample(end.facet.v1);
-  if (end.kind == SurfaceEnd::Kind::kAlong) {
-    return corner_at_infinity(Rational(end.sign) * cross(p1 - p0, sample(end.apex) - p0));
-  }
+  if (end.kind == SurfaceEnd::Kind::kAlong) return {direction_of(faces_.diagram(), end.along), true};
   const RationalPoint x = flow_.exact(end.at);
-  return corner_at_infinity(Rational(2) * Vector3<Rational>{x[0], x[1], x[2]} - p0 - p1);
+  return corner_at_infinity(Rational(2) * Vector3<Rational>{x[0], x[1], x[2]} - sample(end.facet.v0) -
+                            sample(end.facet.v1));
 }
 
 SurfaceCorner SurfaceCorners::exact(PolygonRef polygon, const TraceEnd& end) {
   if (end.kind == TraceEnd::Kind::kPoint) return {flow_.exact(end.at)};
-  const Location at_end = flow_.end_of_edge(polygon, end.is_end(1) ? 1 : 0);
-  if (at_end.place.kind == Place::Kind::kVertex) return {flow_.exact(at_end)};
-  const auto [a, b, c] = faces_.corners(polygon);
-  return corner_at_infinity(Rational(end.is_end(1) ? 1 : -1) * cross(sample(b) - sample(a), sample(c) - sample(a)));
+  const EdgeEnd edge_end{polygon, end.is_end(1) ? 1u : 0u};
+  const Location at = flow_.end_of_edge(polygon, edge_end.end);
+  if (at.place.kind == Place::Kind::kVertex) return {flow_.exact(at)};
+  return {direction_of(faces_.diagram(), edge_end), true};
 }
 
 SurfaceCorner SurfaceCorners::middle_of_line(PolygonRef polygon) {

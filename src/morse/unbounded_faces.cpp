@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "geometry/vector3.h"
-#include "morse/polygon_turn.h"
 
 namespace flowcert::morse {
 
@@ -74,8 +73,7 @@ class UnboundedSearch {
       if (leads && faces_.end(polygon, end) == kNoCell) found_.edges.push_back({polygon, end});
     }
     for (const PolygonSide& side : faces_.sides(polygon)) {
-      const FacetName facet{side.v0, side.v1};
-      const FacetRing ring = faces_.ring(facet, diagram_.cell_of_side(polygon, facet));
+      const FacetRing ring = faces_.ring(side.facet(), diagram_.cell_of_side(polygon, side.facet()));
       if (ring.id >= is_seen_.size()) is_seen_.resize(2 * std::size_t{ring.id} + 1, false);
       if (!is_seen_[ring.id]) add_facet(ring, polygon.cell);
       is_seen_[ring.id] = true;
@@ -83,20 +81,22 @@ class UnboundedSearch {
   }
 
   void add_facet(const FacetRing& ring, CellIndex hint) {
+    const FacetSides sides(diagram_, ring);
     UnboundedFacet facet{ring.facet, hint, {}, {}};
     for (std::size_t k = 0; k < ring.size(); ++k) {
-      if (!ring.pieces[k].is_finite()) add_piece(ring, k, facet);
+      if (!ring.pieces[k].is_finite()) add_piece(sides, k, facet);
     }
     if (!facet.rays.empty() || !facet.arcs.empty()) found_.facets.push_back(std::move(facet));
   }
 
   // Piece k is at infinity, and the pieces beside it are Voronoi edges. Its ends are one direction, or the ends of an
-  // arc, or, in a half plane, opposite.
-  void add_piece(const FacetRing& ring, std::size_t k, UnboundedFacet& facet) const {
-    const std::size_t n = ring.size();
-    const RationalPoint from = direction_of_element(diagram_, ring, k),
-                        to = direction_of_element(diagram_, ring, (k + 1) % n);
-    const bool is_from_free = is_acute(ring, ring.before(k)), is_to_free = is_acute(ring, (k + 1) % n);
+  // arc, or, in a half plane, opposite. Where the polygon of an edge is acute, the midpoint is on the inner side of the
+  // edge, and the ray from there along the edge stays on that side.
+  void add_piece(const FacetSides& sides, std::size_t k, UnboundedFacet& facet) const {
+    const RationalPoint from = direction_of(diagram_, sides.end_at_infinity(k)),
+                        to = direction_of(diagram_, sides.end_at_infinity(k + 1));
+    const bool is_from_free = sides.angle(sides.ring().before(k)) == Sign::kPositive,
+               is_to_free = sides.angle(k + 1) == Sign::kPositive;
     if (from == to) {
       if (is_from_free && is_to_free) facet.rays.push_back(from);
       return;
@@ -107,19 +107,10 @@ class UnboundedSearch {
       facet.arcs.push_back({from, to});
       return;
     }
-    const RationalPoint middle = turned(axis_of(ring.facet), from);
+    const RationalPoint middle = turned(axis_of(facet.facet), from);
     facet.rays.push_back(middle);
     facet.arcs.push_back({from, middle});
     facet.arcs.push_back({middle, to});
-  }
-
-  // Whether the polygon of piece k is acute at the facet's edge. Then the midpoint is on the inner side of the Voronoi
-  // edge, and the ray from there along the edge stays on that side.
-  [[nodiscard]] bool is_acute(const FacetRing& ring, std::size_t k) const {
-    const PolygonSides sides = faces_.sides(ring.pieces[k].polygon());
-    const auto side =
-        std::ranges::find_if(sides, [&](const PolygonSide& one) { return FacetName{one.v0, one.v1} == ring.facet; });
-    return side->angle == Sign::kPositive;
   }
 
   [[nodiscard]] ExactVector axis_of(FacetName facet) const {
@@ -136,20 +127,11 @@ class UnboundedSearch {
 
 UnboundedFaces unbounded_faces(VoronoiFaces& faces) { return UnboundedSearch(faces).found(); }
 
-RationalPoint direction_of_end(const Diagram& diagram, PolygonRef polygon, std::size_t end) {
-  const auto [a, b, c] = diagram.corners(polygon);
+RationalPoint direction_of(const Diagram& diagram, const EdgeEnd& at) {
+  const auto [a, b, c] = diagram.corners(at.polygon);
   const ExactVector origin = position_of(diagram, a);
   const ExactVector normal = cross(position_of(diagram, b) - origin, position_of(diagram, c) - origin);
-  return as_direction(Rational(end == 1 ? 1 : -1) * normal);
-}
-
-// A Voronoi edge before the element goes there, and one behind it comes from there.
-RationalPoint direction_of_element(const Diagram& diagram, const FacetRing& ring, std::size_t element) {
-  const std::size_t before = ring.before(element);
-  const bool is_far_end = ring.pieces[before].is_finite();
-  const RingPiece& piece = ring.pieces[is_far_end ? before : element];
-  const bool is_forward = has_turn(diagram, piece.polygon(), {ring.facet.v0, ring.facet.v1, piece.apex});
-  return direction_of_end(diagram, piece.polygon(), is_forward == is_far_end ? 1 : 0);
+  return as_direction(Rational(at.end == 1 ? 1 : -1) * normal);
 }
 
 }  // namespace flowcert::morse

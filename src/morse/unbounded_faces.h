@@ -7,16 +7,10 @@
 #include <vector>
 
 #include "flowcert/rational.h"
-#include "morse/layer.h"
+#include "morse/facet_sides.h"
 #include "voronoi/voronoi_faces.h"
 
 namespace flowcert::morse {
-
-// The unbounded end 0 or 1 of a Voronoi edge. Its polygon contains its centre, and leads to infinity along the edge.
-struct UnboundedEdge {
-  PolygonRef polygon;
-  std::size_t end;
-};
 
 // Directions in which the edge of a facet leads to infinity.
 struct UnboundedFacet {
@@ -29,17 +23,15 @@ struct UnboundedFacet {
 };
 
 struct UnboundedFaces {
-  std::vector<UnboundedEdge> edges;
+  // Ends at infinity. Their polygons contain their centres, and lead to infinity along their edges.
+  std::vector<EdgeEnd> edges;
   std::vector<UnboundedFacet> facets;
 };
 
 // The time is in proportion to the diagram's cells, and to the facets of the unbounded Voronoi edges.
 [[nodiscard]] UnboundedFaces unbounded_faces(VoronoiFaces& faces);
 
-// Where the unbounded end 0 or 1 of a Voronoi edge lies.
-[[nodiscard]] RationalPoint direction_of_end(const Diagram& diagram, PolygonRef polygon, std::size_t end);
-
-// The direction of an element of a ring that is none of a Voronoi vertex. Such an element ends a Voronoi edge.
-[[nodiscard]] RationalPoint direction_of_element(const Diagram& diagram, const FacetRing& ring, std::size_t element);
+// Where an end at infinity lies.
+[[nodiscard]] RationalPoint direction_of(const Diagram& diagram, const EdgeEnd& at);
 
 }  // namespace flowcert::morse

@@ -100,7 +100,7 @@ PolygonDriver Diagram::driver(PolygonRef polygon) const {
   PolygonDriver driver{Sign::kPositive, {}};
   for (const PolygonSide& side : sides(polygon)) {
     driver.shape = std::min(driver.shape, side.angle);
-    if (side.angle == Sign::kNegative) driver.side = {side.v0, side.v1};
+    if (side.angle == Sign::kNegative) driver.side = side.facet();
   }
   return driver;
 }

@@ -21,13 +21,6 @@ namespace flowcert::voronoi {
 // input it is "facet 3" of one of the polygon's triangles.
 using PolygonRef = FacetRef;
 
-// Names a Voronoi facet by the ends of its Delaunay edge.
-struct FacetName {
-  VertexIndex v0, v1;  // v0 < v1
-
-  friend bool operator==(const FacetName&, const FacetName&) = default;
-};
-
 // A Voronoi face of any dimension, or infinity.
 struct Place {
   enum class Kind : std::uint8_t { kInfinity, kVertex, kEdge, kFacet, kCell };
@@ -112,9 +105,5 @@ class Diagram {
   const PlanarComplex* planar_;
   const CompactDelaunay* delaunay_;
 };
-
-[[nodiscard]] inline FacetName facet_name(VertexIndex v, VertexIndex w) {
-  return v < w ? FacetName{v, w} : FacetName{w, v};
-}
 
 }  // namespace flowcert::voronoi

@@ -134,10 +134,23 @@ class VoronoiComplex {
   std::vector<std::uint32_t> polygon_of_;  // 4 a finite cell; empty where no polygon is large
 };
 
+// Names a Voronoi facet by the ends of its Delaunay edge.
+struct FacetName {
+  VertexIndex v0, v1;  // v0 < v1
+
+  friend bool operator==(const FacetName&, const FacetName&) = default;
+};
+
+[[nodiscard]] inline FacetName facet_name(VertexIndex v, VertexIndex w) {
+  return v < w ? FacetName{v, w} : FacetName{w, v};
+}
+
 // A side of a large polygon: an edge of exactly one of its facets.
 struct PolygonSide {
   VertexIndex v0, v1;  // v0 < v1
   Sign angle;          // h at the polygon's other vertices, all the same (FC-SIGN-01)
+
+  [[nodiscard]] FacetName facet() const { return {v0, v1}; }
 };
 // Most polygons are triangles or quadrilaterals, and their sides take no memory of their own.
 using PolygonSides = boost::container::small_vector<PolygonSide, 4>;
