@@ -62,7 +62,7 @@ def sphere_through(points):
         if not basis or (len(basis) == 1 and any(cross(basis[0], v))) or (len(basis) == 2 and sign_of_det(*basis, v)):
             basis.append(v)
     if len(basis) < 2:
-        center = tuple(x + y / 2 for x, y in zip(p, basis[0] if basis else (Fraction(0),) * 3))
+        center = tuple(x + y / 2 for x, y in zip(p, basis[0] if basis else minus(p, p)))
         return center, squared_distance(p, center)
     a, b, c = basis if len(basis) == 3 else (*basis, cross(*basis))
     squares = [dot(a, a), dot(b, b), dot(c, c) if len(basis) == 3 else 0]
@@ -188,7 +188,7 @@ def maximum_matching(choices):
 
 
 class Judge:
-    def __init__(self, truth, claim, tolerance, highest=4):
+    def __init__(self, truth, claim, tolerance, highest):
         self.truth, self.claim, self.tolerance, self.highest = truth, claim, Fraction(tolerance), highest
         self.findings, self.undecided, self.judged = [], False, {1}
         self.perturbed = {}  # by record: the claims that a perturbation makes of it
@@ -245,21 +245,18 @@ class Judge:
         """0: of the claimed index or kind. 1: regular, and a perturbation may make such a point of it. 2: neither."""
         if (point.index, point.index if point.hull is None else point.hull) == (record.index, record.hull):
             return 0
-        return 1 if not record.critical and point.hull is None and record.index <= point.index <= record.hull else 2
+        return 1 if point.hull is None and record.index <= point.index <= record.hull else 2
 
     def near(self, point):
         """The stationary points at which a position is right: how they fit, the squared distance, and their place."""
         within, nearly = [], []
-        for record in self.truth.records if point.center else []:
+        for record in self.truth.records:
             match = self.match_position(point.center, record)
             if match != "off":
                 wrong = bool(self.wrong_values(point, record))
                 fit = (WRONG_VALUE if wrong else RIGHT, WRONG_MADE if wrong else MADE, WRONG_INDEX)
                 away = squared_distance([value for value, _ in point.center], record.center)
-                found = fit[self.rank(point, record)], away, record.k
-                if match == "equal":
-                    return [found]
-                (nearly if match == "rounding" else within).append(found)
+                (nearly if match == "rounding" else within).append((fit[self.rank(point, record)], away, record.k))
         return sorted(within or nearly)
 
     def place(self, points):
@@ -287,36 +284,35 @@ class Judge:
     def match_position(self, claimed, record, center=None):
         pairs, off = list(zip(claimed, center or record.center)), [0, 0]
         if all(value == true if exact else rounds_alike(value, true) for (value, exact), true in pairs):
-            return "equal" if all(exact for _, exact in claimed) else "within"
+            return "right"
         for (value, exact), true in pairs:
             off[exact] += (value - true) ** 2
         if not off[True] and off[False] <= self.tolerance**2 * record.allowed:
-            return "within"
+            return "right"
         return "rounding" if sum(off) <= record.rounding else "off"
 
     def match_squared(self, claimed, record):
         value, exact = claimed
         allowed = self.tolerance**2 * record.allowed
-        if value == record.squared:
-            return "equal"
-        if not exact and (rounds_alike(value, record.squared) or roots_differ_by(value, record.squared, allowed)):
-            return "within"
+        if value == record.squared or (not exact and (rounds_alike(value, record.squared) or
+                                                      roots_differ_by(value, record.squared, allowed))):
+            return "right"
         return "rounding" if roots_differ_by(value, record.squared, record.rounding) else "off"
 
     def wrong_values(self, point, record):
         """How what is wrong of a claimed position and distance is, with its clause."""
-        zero, found = (0, True), []
+        found = []
         for claimed, true in zip(point.doubles, record.center):
-            match = claimed and self.match_position([claimed, zero, zero], record, (true, 0, 0))
-            found.append(("FC-NUM-02", match or ("equal" if nearest_double(true) is None else "off")))
+            match = claimed and self.match_position([claimed], record, [true])
+            found.append(("FC-NUM-02", match or ("right" if nearest_double(true) is None else "off")))
         if point.squared_double != "none":
             match = point.squared_double and self.match_squared(point.squared_double, record)
-            found.append(("FC-NUM-02", match or ("equal" if nearest_double(record.squared) is None else "off")))
+            found.append(("FC-NUM-02", match or ("right" if nearest_double(record.squared) is None else "off")))
         if point.center:
             found.append(("FC-OUT-01", self.match_position(point.center, record)))
         squared = point.distance and (point.distance[0] ** 2, point.distance[1])
         found += [("FC-OUT-01", self.match_squared(one, record)) for one in (point.squared, squared) if one]
-        return [(clause, match) for clause, match in found if match in ("off", "rounding")]
+        return [(clause, match) for clause, match in found if match != "right"]
 
     def check_values(self, point):
         for clause, match in self.wrong_values(point, point.record):

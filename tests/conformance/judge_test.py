@@ -132,6 +132,34 @@ class Numbers(unittest.TestCase):
             self.assertEqual(judge.roots_differ_by(Fraction(a), Fraction(b), Fraction(length)), near, (a, b, length))
 
 
+class Geometry(unittest.TestCase):
+    def test_spheres_through_points_on_lines(self):
+        for points, center, squared in [([(3, 1, 2)], (3, 1, 2), 0), ([(0, 0, 0), (2, 0, 0)], (1, 0, 0), 1),
+                                        ([(0, 0, 0), (2, 0, 0), (6, 0, 0)], (1, 0, 0), 1),
+                                        ([(0, 0, 0), (2, 0, 0), (6, 0, 0), (0, 4, 0)], (1, 2, 0), 5),
+                                        ([(0, 0, 0), (2, 0, 0), (0, 4, 0), (2, 4, 0), (0, 0, 6)], (1, 2, 3), 14)]:
+            found = judge.sphere_through([tuple(map(Fraction, one)) for one in points])
+            self.assertEqual(found, (center, squared), points)
+
+    def test_hulls_of_points_on_a_circle(self):
+        """Of twelve points around their centre, of which each has an opposite one."""
+        circle = [(5, 0, 0), (4, 3, 0), (3, 4, 0), (0, 5, 0), (-3, 4, 0), (-4, 3, 0)]
+        circle += [tuple(-x for x in one) for one in circle]
+        for places in itertools.permutations(range(12), 3):
+            a, b, c = sorted(places)
+            owed = max(b - a, c - b, a + 12 - c) <= 6
+            self.assertEqual(judge.in_hull([circle[k] for k in places], (0, 0, 0)), owed, places)
+
+    def test_what_is_inside(self):
+        """A hull, or on the boundary of one. The order of the points does not matter."""
+        octahedron = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
+        tetrahedron = [(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)]
+        for points, owed in [(octahedron, True), (octahedron[:5], False), (octahedron[:4], False),
+                             (octahedron[:2], False), (tetrahedron, True)]:
+            for some in itertools.permutations(points):
+                self.assertEqual(judge.in_interior(some, (0, 0, 0)), owed, some)
+
+
 class Json(unittest.TestCase):
     def unreadable(self, text, case=TRIANGLE):
         result = judged(case, text)
@@ -378,7 +406,7 @@ class Verdicts(unittest.TestCase):
             points = [[(one / 64).hex() for one in row] for row in [*rows, (0, y, 4 if y else 5)]]
             own = {"index": [1, 3], "contact": [0, 1, 2, 3], "center": ["0", "0", "0"], "squared_distance": "25/4096"}
             truth = judge.Truth({"points": points, "expected": {"stationary": [own]}})
-            by_own = judge.Judge(truth, SimpleNamespace(points=[], indices={0, 1, 2, 3}), 0)
+            by_own = judge.Judge(truth, SimpleNamespace(points=[], indices={0, 1, 2, 3}), 0, 4)
             found = [by_own.is_possible(truth.records[0], *some) for some in ((1, 1, 0), (0, 1, 1))]
             self.assertEqual(found, owed, y)
 
@@ -386,7 +414,7 @@ class Verdicts(unittest.TestCase):
         truth = judge.Truth(CASES["regular-stationary-points-0002"])
         regular = next(one for one in truth.records if not one.critical)
         maximum = SimpleNamespace(critical=True, index=3, hull=3)
-        by_sides = judge.Judge(truth, None, 0).may_be_limits
+        by_sides = judge.Judge(truth, None, 0, 4).may_be_limits
         for limits in ([None, maximum], [maximum, None]):
             self.assertTrue(by_sides(limits, [maximum, regular], False))
             self.assertEqual(by_sides(limits, [maximum, regular], True), limits[0] is maximum)
@@ -406,6 +434,29 @@ class Verdicts(unittest.TestCase):
         right_angle = text_of(head, {"index": 2, "contact": [0, 1, 2]})
         result = judged(CASES["regular-stationary-points-0001"], right_angle)
         self.assertEqual((result["outcome"], result["undecided"]), ("perturbed", False))
+
+    def test_rounding_is_told_to_the_last_bit(self):
+        """By 2^-44 of the larger of radius and coordinates: of 2.5 at the edge of rows 1 and 2, and of 8 at others."""
+        head, one = HEADER[:-1] + ', "indices": [1]}', Fraction(1, 2**44)
+        edges = [{"index": 1, "contact": one} for one in ([0, 1], [0, 2])]
+        for off, owed in [(0, []), (one, ["rounding"]), (one * 1025 / 1024, ["wrong-position"])]:
+            edge = {"index": 1, "contact": [1, 2], "center": [str(Fraction(5, 2) * (1 + off)), "3/2", "0"]}
+            found = judged(TRIANGLE, text_of(head, *edges, edge))["findings"]
+            self.assertEqual([one["reason"] for one in found], owed)
+        square = [(7, 0, 0), (8, 1, 0), (9, 0, 0), (8, -1, 0)]
+        self.assertEqual(self.stray(square, [0, 1, 2]), "contact-incomplete")
+        for near, reason in [(8 * one, "rounding"), (8 * one + Fraction(1, 2**50), "")]:
+            self.assertEqual(self.stray([*square[:3], (8, -1 - near, 0)], [0, 1, 2, 3]), reason or "not-cospherical")
+            self.assertEqual(self.stray([*square[:3:2], (8, 1 - near, 0)], [0, 1]), reason or "ball-not-empty")
+            low = 1 - near + Fraction(1, 2**51)  # whose centre is a little farther from the long side
+            self.assertEqual(self.stray([*square[:3:2], (8, low, 0)], [0, 1, 2]), reason or "outside-hull")
+
+    def stray(self, rows, contact):
+        """Why a contact set is that of no stationary point."""
+        points = [[float(x).hex() for x in row] for row in rows]
+        case = {"points": points, "expected": {"stationary": []}}
+        claim = text_of(HEADER[:-1] + ', "indices": [2]}', {"index": 2, "contact": contact})
+        return judged(case, claim)["findings"][0]["reason"]
 
     def test_the_tolerance_is_right_to_the_last_bit(self):
         head = HEADER[:-1] + ', "indices": [1]}'
@@ -448,9 +499,15 @@ class Verdicts(unittest.TestCase):
                                    ("regular_stationary", {"1-2": 9, "1-3": 0, "2-3": 0}, "wrong-counts")]:
             found = reasons(case, text_of({**head, key: value}, *records))
             self.assertEqual(found, [(1, reason, None)], key)
+        edges, head_of_edges = [one for one in records if one["index"] == 1], {**head, "indices": [1]}
+        for counts, outcome in [([9, len(edges), 9, 9], "conforms"), ([9, len(edges) + 1, 9, 9], "fails")]:
+            self.assertEqual(verdict(case, text_of({**head_of_edges, "critical": counts}, *edges)), outcome)
         truth = judge.Truth(case)
         right = {**head, "classes": truth.classes, "input_sha256": truth.digest()}
         self.assertEqual(verdict(case, text_of(right, *records)), "conforms")
+        zeros = [judge.Truth({"points": [[zero, "0x0p+0", "0x1p+0"]], "expected": {"stationary": []}}).digest()
+                 for zero in ("0x0p+0", "-0x0p+0")]
+        self.assertEqual(zeros[0], zeros[1])
 
     def test_profile_and_tolerance(self):
         records = right_records(TRIANGLE)
@@ -496,6 +553,57 @@ class Matching(unittest.TestCase):
             self.assertEqual(len(partner), size, choices)
             self.assertEqual(len(set(partner.values())), size)
             self.assertTrue(all(one in choices[k] for k, one in partner.items()))
+
+    def test_a_free_partner_is_taken_first(self):
+        self.assertEqual(judge.maximum_matching([[1, 2], [1], [2]]), {0: 1, 2: 2})
+
+    def test_ranks(self):
+        for index, hull, ranks in [(1, None, [0, 2, 1, 1, 2]), (2, None, [2, 0, 1, 1, 1]), (3, None, [2, 2, 2, 1, 1]),
+                                   (1, 2, [2, 2, 0, 2, 2]), (1, 3, [2, 2, 2, 0, 2])]:
+            point = SimpleNamespace(index=index, hull=hull)
+            records = [SimpleNamespace(index=i, hull=j, critical=i == j)
+                       for i, j in ((1, 1), (2, 2), (1, 2), (1, 3), (2, 3))]
+            self.assertEqual([judge.Judge.rank(point, one) for one in records], ranks, (index, hull))
+
+    # Stationary points on a line: index, dimension of the hull, place and squared distance. At the origin an index-1
+    # point of the squared distance 4 is claimed. Each is meant instead of those before it, and, if it is free, of those
+    # that are taken.
+    MEANT = [(2, 2, 1, 4), (1, 2, 2, 9), (1, 1, 3, 9), (1, 1, 4, 4), (1, 1, 5, 16), (1, 2, 6, 4), (1, 1, 7, 4)]
+
+    def meant(self, records, *claims):
+        """The places of the stationary points that claims mean. A claim is an index, the dimension of a hull or None,
+        and a squared distance, at the origin; or it names a stationary point, and has a fit."""
+        truth = SimpleNamespace(records=[
+            SimpleNamespace(k=k, index=index, hull=hull, critical=index == hull, center=(Fraction(x), 0, 0),
+                            squared=Fraction(squared), allowed=100, rounding=0)
+            for k, (index, hull, x, squared) in enumerate(records)])
+        truth.placed = lambda names: (truth.records[names[0]], names[1]) if names else (None, None)
+        points = [SimpleNamespace(index=index, hull=hull, names=name and (name[0], name[1]), line=1, contact=[],
+                                  center=None if name else [(Fraction(0), False)] * 3, doubles=[], distance=None,
+                                  squared=None if name else (Fraction(squared), True), squared_double="none")
+                  for index, hull, squared, *name in claims]
+        judge.Judge(truth, None, 1, 4).place(points)
+        return [point.record.center[0] for point in points]
+
+    def test_what_a_position_means(self):
+        for count, twice in itertools.product(range(1, 8), (False, True)):
+            records = self.MEANT[:count]
+            if twice:  # the nearer one is meant
+                records.append((*records[-1][:2], count + Fraction(1, 2), records[-1][3]))
+            taken = [k for k in (2, 3, *([count] if count in (3, 4) else [])) if k < len(records)]
+            claims = [*[(1, None, None, k, "whole") for k in taken], (1, None, 4)]
+            self.assertEqual(self.meant(records, *claims)[-1], count, records)
+
+    def test_a_position_does_not_mean_what_another_one_does(self):
+        edges, regular = [(1, 1, 1, 9), (1, 1, 2, 9)], [(1, 2, 1, 4), (1, 2, 2, 4)]
+        for records, claims, owed in [
+                (edges, [(1, None, 4), (1, None, 4), (1, None, 4)], [1, 2, 1]),
+                (edges, [(1, None, 9), (1, None, 4)], [1, 2]), (edges, [(1, None, 4), (1, None, 9)], [2, 1]),
+                (edges, [(1, None, None, 0, "other"), (1, None, 9)], [1, 1]),
+                (edges, [(3, None, None, 0, "whole"), (1, None, 9)], [1, 1]),
+                (edges, [(1, None, None, 0, "part"), (1, None, 9)], [1, 2]),
+                (regular, [(1, None, 4), (1, 2, 9), (1, 2, 9)], [1, 1, 2])]:
+            self.assertEqual(self.meant(records, *claims), owed, claims)
 
     def test_a_position_means_what_no_contact_set_has_taken(self):
         case = CASES["critical-points-0060"]
@@ -978,7 +1086,7 @@ class Runs(unittest.TestCase):
 def load_tests(loader, *_):
     """In the order of the file: what starts no program comes first."""
     return unittest.TestSuite(map(loader.loadTestsFromTestCase, (
-        Numbers, Json, Text, Verdicts, Matching, Perturbations, Orbits, Runs, Commands)))
+        Numbers, Geometry, Json, Text, Verdicts, Matching, Perturbations, Orbits, Runs, Commands)))
 
 
 if __name__ == "__main__":

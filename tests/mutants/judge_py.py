@@ -43,6 +43,15 @@ EQUIVALENT = {
         "In a plane all sides are 0, and the next line says no.",
     "Judge.fit_together: are_on_faces and 3 not in self.claim.indices -> are_on_faces":
         "Where index 3 is claimed, (d) leaves no two such points (proofs.md, condition (h)).",
+    "in_hull: dot(n, cross(b, c)) > 0 -> dot(n, cross(b, c)) >= 0":
+        "It is 0 only of opposite vectors, of which the function has asked before.",
+    "in_hull: dot(n, cross(c, a)) > 0 -> dot(n, cross(c, a)) >= 0":
+        "It is 0 only of opposite vectors, of which the function has asked before.",
+    "in_interior: {-1, 1} <= {sign_of_det(*plane, a) for a in v} -> {-1, 1} < {sign_of_det(*plane, a) for a in v}":
+        "The two vectors that span a plane are on it, so that 0 is always there.",
+    "nearest_in_hull: 5 -> 6": "Four points or fewer have the smallest ball of any set.",
+    "Truth.placed: set(names) < set(one.contact) -> set(names) <= set(one.contact)":
+        "A set that is equal has been found before.",
     ": if __name__ == '__main__': -> if False:": "All other tests of judge.py start it as a program, and would fail.",
 }
 
