@@ -304,7 +304,7 @@ class Judge:
         found = []
         for claimed, true in zip(point.doubles, record.center):
             match = claimed and self.match_position([claimed], record, [true])
-            found.append(("FC-NUM-02", match or ("right" if nearest_double(true) is None else "off")))
+            found.append(("FC-NUM-02", match or "off"))
         if point.squared_double != "none":
             match = point.squared_double and self.match_squared(point.squared_double, record)
             found.append(("FC-NUM-02", match or ("right" if nearest_double(record.squared) is None else "off")))
@@ -499,7 +499,7 @@ class Judge:
 
     def check_incidences(self, point):
         """Whether there was something to judge."""
-        if not point.right or point.hull is not None or point.several:
+        if not point.right or point.several:
             return False
         indices, is_made = self.claim.indices, point.record.k in self.perturbed
         has_samples = point.samples is not None and point.index == 1 and 0 in indices
@@ -541,11 +541,11 @@ class Judge:
                 wrong = wrong or not (rows is None and says_infinity)
             elif there.k not in seen:
                 seen.add(there.k)
-                is_owed = there.k in missing and not (is_edge and fit == "other")
+                is_owed = there.k in missing and fit != "other"
                 why = {"part": "spanning-part", "made": "symbolic-perturbation"}.get(fit) if is_owed else \
                     self.why_above(there, record, rows)
                 wrong = wrong or not (is_owed or why)
-                missing -= {there.k} if is_owed else set()
+                missing -= {there.k}
                 reasons.add(why)
         excused = {k: "symbolic-perturbation" if k in self.perturbed else "tie-break" for k in missing
                    if is_edge and (k in self.perturbed or self.truth.records[k].told["boundary"] is None)}

@@ -269,8 +269,7 @@ def read_bars(lines):
         elif line.strip(BLANKS):
             parts = parts if parts[-1] else parts[:-1]
             require(len(parts) > 1 and len(parts[1]) == 1, "no distance")
-            sets = [None if k > 0 and one == ["inf"] else ids(map(Literal, one))
-                    for k, one in enumerate([parts[0], *parts[2:]])]
+            sets = [None if one == ["inf"] else ids(map(Literal, one)) for one in [parts[0], *parts[2:]]]
             require(all(one is None or 1 <= len(one) <= 4 for one in sets), "a point, or a successor, of no ids")
             point = blank_point(k, len(sets[0]) - 1, sets[0])
             point.distance, point.targets = json_number(Literal(parts[1][0]), least=0), sets[1:]

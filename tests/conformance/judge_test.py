@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """judge_test.py
 
-The tests of spec/judge.py and spec/read_claim.py that need no build: how it reads claims, what it says of the judgements of
-spec/judgements.json and of right claims about vectors, how it follows orbits, and how it runs commands.
+The tests of spec/judge.py and spec/read_claim.py that need no build: how it reads claims, what it says of the judgements
+of spec/judgements.json and of right claims about vectors, how it follows orbits, and how it runs commands.
 The environment's JUDGE is another folder of these two, one of them a mutant (tests/mutants/judge_py.py).
 """
 # CITES: FC-FILE-12 FC-FILE-13 FC-FILE-15 FC-FILE-16 FC-FILE-18 FC-FILE-19 FC-FILE-26 FC-FILE-27 FC-FILE-29 FC-FILE-47
@@ -15,7 +15,9 @@ import json
 import os
 import sys
 import tempfile
+import time
 import unittest
+import unittest.mock
 from collections import Counter
 from fractions import Fraction
 from pathlib import Path
@@ -323,6 +325,14 @@ class Text(unittest.TestCase):
     def test_what_grows_too_much_is_refused(self):
         self.assertEqual(verdict(TRIANGLE, gzip.compress(b"#" * (1 << 20))), "fails")
         self.assertEqual(verdict(TRIANGLE, gzip.compress(b"#" * ((1 << 20) + 1))), "unreadable")
+        data = gzip.compress(b"#" * 2000000)
+        for size, outcome in [(20000, "fails"), (19999, "unreadable")]:  # zeros may follow
+            self.assertEqual(verdict(TRIANGLE, data.ljust(size, b"\0")), outcome)
+        asked = []
+        empty = SimpleNamespace(read=lambda most: asked.append(most) or b"")
+        with unittest.mock.patch("gzip.GzipFile", lambda **_: empty):
+            self.assertEqual(verdict(TRIANGLE, b"\x1f\x8b" + bytes(43 << 20)), "unreadable")
+        self.assertEqual(asked, [(4 << 30) + 1])
 
     def test_columns_are_named_by_their_order(self):
         for names, is_read in [("index,x,y,z", True), ("index x y z", True), ("index,x,y,z,squared_distance", True),
@@ -443,6 +453,10 @@ class Verdicts(unittest.TestCase):
             edge = {"index": 1, "contact": [1, 2], "center": [str(Fraction(5, 2) * (1 + off)), "3/2", "0"]}
             found = judged(TRIANGLE, text_of(head, *edges, edge))["findings"]
             self.assertEqual([one["reason"] for one in found], owed)
+        for off, owed in [(23, "rounding"), (24, "wrong-position")]:  # 2.5 is 2.357 halves of the root of 9 / 2
+            edge = {"index": 1, "contact": [1, 2], "squared_distance": str(Fraction(9, 2) * (1 + one * off / 10))}
+            found = judged(TRIANGLE, text_of(head, *edges, edge))["findings"]
+            self.assertEqual([one["reason"] for one in found], [owed])
         square = [(7, 0, 0), (8, 1, 0), (9, 0, 0), (8, -1, 0)]
         self.assertEqual(self.stray(square, [0, 1, 2]), "contact-incomplete")
         for near, reason in [(8 * one, "rounding"), (8 * one + Fraction(1, 2**50), "")]:
@@ -508,6 +522,17 @@ class Verdicts(unittest.TestCase):
         zeros = [judge.Truth({"points": [[zero, "0x0p+0", "0x1p+0"]], "expected": {"stationary": []}}).digest()
                  for zero in ("0x0p+0", "-0x0p+0")]
         self.assertEqual(zeros[0], zeros[1])
+
+    def test_findings_are_in_order(self):
+        """What is not permitted comes first; then the levels, the lines and the contact sets tell it."""
+        case = CASES["cospherical-clusters-0001"]
+        head, square = HEADER[:-1] + ', "points": 5, "indices": [0, 2]}', {"index": 2, "contact": [0, 1, 2]}
+        found = judged(case, text_of(head, square, {"index": 0, "contact": [1]}, {"index": 0, "contact": [3, 3]},
+                                     {"index": 2, "contact": [1, 3]}, {"index": 0, "center": [9, 9, 9]}))["findings"]
+        self.assertEqual([(one["level"], one["reason"], one["line"], one["contact"]) for one in found], [
+            (1, "malformed", 4, [3, 3]), (1, "wrong-counts", None, []), (2, "wrong-position", 6, []),
+            (3, "wrong-index", 5, [1, 3]), (3, "missing", None, [0]), (3, "missing", None, [2]),
+            (3, "missing", None, [3]), (2, "spanning-part", 2, [0, 1, 2])])
 
     def test_profile_and_tolerance(self):
         records = right_records(TRIANGLE)
@@ -664,6 +689,8 @@ class Perturbations(unittest.TestCase):
         line = f"18 26 | {nearest(edge['squared_distance']) ** 0.5!r} | inf"
         self.assertIn((4, "symbolic-perturbation", 1), reasons(case, line))
         self.assertNotIn(4, [level for level, *_ in reasons(case, line.replace("| inf", ""))])
+        self.assertEqual([one[:2] for one in reasons(case, f"{line} | 0 1") if one[0] == 4],
+                         [(4, "symbolic-perturbation"), (4, "wrong-incidence")])
         self.assertIn((4, "wrong-incidence", 5), reasons(TRIANGLE,
                                                          "\n".join(["", "0|0", "1|0", "2|0", "0 1 | 2 | inf"])))
 
@@ -701,6 +728,19 @@ class Perturbations(unittest.TestCase):
         self.assertEqual(verdict(case, "\n".join([samples[0] + " | 0 3"] + samples[1:] + up + whole)), "fails")
         self.assertEqual(verdict(case, "\n".join([samples[0] + " | 1 3"] + samples[1:] + up + whole)), "fails")
         self.assertEqual(verdict(case, "\n".join(samples + edges + whole)), "fails")
+
+
+    def test_a_boundary_lies_below(self):
+        """Where a tie leaves it open, an edge has a smaller distance than the point."""
+        for squared, is_right in [(3, True), (4, False)]:
+            edges = {names: SimpleNamespace(index=1, k=k, contact=names, critical=True, squared=squared)
+                     for k, names in enumerate(((0, 1), (0, 2), (1, 2)))}
+            truth = SimpleNamespace(names=tuple, placed=lambda names: (edges[names], "whole"))
+            point = SimpleNamespace(line=1, contact=[], boundary=[[0, 1], [0, 2], [1, 2]],
+                                    record=SimpleNamespace(squared=4, told={"boundary": None}))
+            by_edges = judge.Judge(truth, None, 0, 4)
+            by_edges.check_boundary(point)
+            self.assertEqual(not by_edges.findings, is_right)
 
 
 class Orbits(unittest.TestCase):
@@ -878,6 +918,8 @@ class Orbits(unittest.TestCase):
                 judge.read_orbit(data)
         with self.assertRaisesRegex(judge.Unreadable, "there is no answer"):
             judge.read_orbit(None)
+        with self.assertRaisesRegex(judge.Unreadable, "not a whole number: 1"):
+            judge.read_orbit((at % ("[]", limit.replace("[1, 0]", '["1", 0]'))).encode())
 
 
 class Commands(unittest.TestCase):
@@ -913,6 +955,14 @@ class Commands(unittest.TestCase):
             order = f"{sys.executable} -c 'bytearray({size} << 30)'"
             self.assertEqual(self.run_one(order)[0], status, size)
 
+    def test_nothing_goes_on_after_a_command(self):
+        process = Path("/proc", self.run_one("sleep 60 & echo $!")[1].decode().strip(), "stat")
+        for _ in range(100):
+            if not process.exists() or process.read_text().split()[2] == "Z":
+                return
+            time.sleep(0.05)
+        self.fail("it still runs")
+
     def test_points_of_a_case(self):
         self.assertEqual(judge.points_text(TRIANGLE, False), "0.0 0.0 0.0\n4.0 0.0 0.0\n1.0 3.0 0.0\n")
         self.assertEqual(judge.points_text(TRIANGLE, True).split("\n")[1], "0x1p+2 0x0p+0 0x0p+0")
@@ -937,6 +987,9 @@ def run_main(*words):
 
 
 class Runs(unittest.TestCase):
+    def test_nothing_is_written_beside_judge_py(self):
+        self.assertTrue(sys.dont_write_bytecode)
+
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory(prefix="judge-test-")
@@ -985,6 +1038,7 @@ class Runs(unittest.TestCase):
         self.assertIn(f"\nand {asked - 1} more\n", text)
         self.assertIn("does not conform to 1.1", text)
         self.assertEqual(text.count("level 3: "), 3)
+        self.assertNotIn("more\n", self.run_judge("--against", "echo '# nothing'", "--most", asked)[1])
 
     def test_outcomes(self):
         case = ["--case", "critical-points-0002", "--json", "--against"]
@@ -1015,7 +1069,8 @@ class Runs(unittest.TestCase):
         status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim, "--tolerance", "1e-3",
                                       "--levels", 2)
         self.assertNotIn("statement", text)
-        status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim, "--tolerance", "1e-6")
+        status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim, "--tolerance", "1e-6",
+                                      "--levels", 4)
         self.assertIn("approximate within 1e-06 (1 of ", text)
         self.claim.write_text("\n".join(Text.RIGHT[1:] + ["0,7,7,7"]))
         status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim, "--tolerance", "1e-3")
@@ -1026,7 +1081,8 @@ class Runs(unittest.TestCase):
     def test_what_cannot_be_used(self):
         self.claim.write_text("\n".join(Text.RIGHT))
         for words in [[], ["--against", "true", "--claim", self.claim], ["--against", "true", "--tolerance", "0.0011"],
-                      ["--against", "true", "--tolerance", "-1"], ["--claim", self.claim],
+                      ["--against", "true", "--tolerance", "-1"], ["--against", "true", "--levels", "5"],
+                      ["--claim", self.claim],
                       ["--group", "none", "--against", "true"],
                       ["--case", "invalid-input-0001", "--claim", self.claim], ["--against", "no-such-program"],
                       ["--against", "true", "--orbits-against", "true"],
