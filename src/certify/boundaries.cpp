@@ -50,13 +50,12 @@ bool has_tie(Truth& truth, std::size_t record) {
 
 void Boundaries::find(std::size_t k, int level, const std::string& claimed, const std::string& truth) {
   run_.find(level, level == 4 ? FindingReason::kWrongIncidence : FindingReason::kWrongSurface, kBoundaryClause, k,
-            truth);
-  run_.report.findings.back().claimed += claimed;
+            truth, claimed);
 }
 
 void Boundaries::check(std::size_t k, const std::vector<std::vector<PointId>>& chain, int level, bool is_walk) {
   const std::size_t record = run_.placed[k].place->record;
-  const std::string claimed = (is_walk ? ", walking along " : ", bounded by ") + chain_text(chain);
+  const std::string claimed = (is_walk ? "walking along " : "bounded by ") + chain_text(chain);
   const Rational& value = run_.truth.sphere(record).squared_radius;
   std::map<std::uint32_t, std::size_t> times;
   std::vector<std::vector<PointId>> edges;
@@ -122,7 +121,7 @@ void Boundaries::conclude() {
   if (questions_.empty()) return;
   std::map<std::size_t, Rational> values;
   for (std::size_t i = 0; i < run_.truth.size(); ++i) {
-    if (run_.index(i) == StationaryIndex{2, 2}) values[i] = run_.truth.sphere(i).squared_radius;
+    if (run_.index(i) == kIndex2) values[i] = run_.truth.sphere(i).squared_radius;
   }
   std::vector<std::size_t> columns;
   columns.reserve(values.size());
@@ -137,8 +136,8 @@ void Boundaries::conclude() {
   for (Question& question : questions_) {
     for (; next != columns.end() && values.at(*next) < value_of(question); ++next) add_to_basis(*next);
     if (bounds_below(question.cycle)) {
-      run_.vary(question.level, FindingReason::kTieBreak, "FC-CLAIM-09", question.k, "another way to break ties");
-      run_.report.findings.back().claimed += question.claimed;
+      run_.vary(question.level, FindingReason::kTieBreak, "FC-CLAIM-09", question.k, "another way to break ties",
+                question.claimed);
     } else {
       find(question.k, question.level, question.claimed, "no way to break ties gives this boundary");
     }

@@ -39,7 +39,7 @@ void check_points(CheckRun& run) {
   auto next = claims.begin();
   std::vector<std::size_t> here;
   for (std::size_t record = 0; record < run.truth.size(); ++record) {
-    run.tell(3, record, run.truth.size());
+    run.show_progress(3, record, run.truth.size());
     here.clear();
     for (; next != claims.end() && next->first == record; ++next) here.push_back(next->second);
     if (run.index(record).is_critical()) {
@@ -83,21 +83,42 @@ Verdict verdict_on(const Finding& finding) {
 }
 
 void CheckRun::find(int level, FindingReason reason, const std::string& clause, std::size_t claimed_point,
-                    const std::string& truth_text) {
-  const ClaimedPoint& point = claim.points[claimed_point];
-  report.findings.push_back({level, reason, false, clause, point.line, point.contact, claim_text(point), truth_text});
-  if (const auto& place = placed[claimed_point].place) report.findings.back().record = place->record;
+                    const std::string& truth_text, const std::string& part) {
+  report.findings.push_back(
+      of_point(claimed_point, part, {.level = level, .reason = reason, .clause = clause, .truth = truth_text}));
 }
 
 void CheckRun::vary(int level, FindingReason reason, const std::string& clause, std::size_t claimed_point,
-                    const std::string& truth_text) {
-  find(level, reason, clause, claimed_point, truth_text);
-  report.findings.back().is_variation = true;
+                    const std::string& truth_text, const std::string& part, bool is_decided) {
+  report.findings.push_back(of_point(claimed_point, part,
+                                     {.level = level,
+                                      .reason = reason,
+                                      .is_variation = true,
+                                      .clause = clause,
+                                      .truth = truth_text,
+                                      .is_decided = is_decided}));
+}
+
+Finding CheckRun::of_point(std::size_t claimed_point, const std::string& part, Finding finding) const {
+  const ClaimedPoint& point = claim.points[claimed_point];
+  finding.line = point.line;
+  finding.contact = point.contact;
+  finding.claimed = claim_text(point) + (part.empty() ? "" : ", " + part);
+  if (const auto& place = placed[claimed_point].place) finding.record = place->record;
+  return finding;
+}
+
+void CheckRun::find_unclaimed(std::size_t record, Finding finding) {
+  const auto contact = truth.contact(record);
+  finding.contact.assign(contact.begin(), contact.end());
+  finding.record = record;
+  report.findings.push_back(std::move(finding));
 }
 
 void CheckRun::find_whole(int level, FindingReason reason, const std::string& clause, const std::string& claimed,
                           const std::string& truth_text) {
-  report.findings.push_back({level, reason, false, clause, std::nullopt, {}, claimed, truth_text});
+  report.findings.push_back(
+      {.level = level, .reason = reason, .clause = clause, .claimed = claimed, .truth = truth_text});
 }
 
 std::size_t CheckRun::true_side(std::size_t k, std::size_t claimed_side) const {
@@ -114,8 +135,29 @@ const std::array<double, 3>& CheckRun::center_in_doubles(std::size_t record) {
   return centers_in_doubles_[record];
 }
 
-void CheckRun::tell(int level, std::size_t done, std::size_t total) const {
+void CheckRun::show_progress(int level, std::size_t done, std::size_t total) const {
   if (options.progress) options.progress(level, done, total);
+}
+
+bool CheckRun::judge_each(int level, std::size_t part, std::size_t parts,
+                          const std::function<bool(std::size_t)>& judge) {
+  bool has_judged = false;
+  for (std::size_t k = 0; k < placed.size(); ++k) {
+    show_progress(level, part * placed.size() + k, parts * placed.size());
+    if (judge(k)) has_judged = true;
+  }
+  return has_judged;
+}
+
+ValueMatch CheckRun::match(const ClaimedPosition& claimed, const RationalPoint& truth_position,
+                           const ValueScale& scale) {
+  note_exactness(is_exact(claimed));
+  return match_position(claimed, truth_position, scale);
+}
+
+ValueMatch CheckRun::match_direction(const ClaimedPosition& claimed, const RationalPoint& truth_vector) {
+  note_exactness(is_exact(claimed));
+  return match_vector(claimed, truth_vector, options.tolerance);
 }
 
 bool CheckRun::can_follow(std::size_t k) {
@@ -125,6 +167,12 @@ bool CheckRun::can_follow(std::size_t k) {
     return false;
   }
   return placed[k].is_right;
+}
+
+bool CheckRun::can_follow(std::size_t k, const std::string& things) {
+  if (!can_follow(k)) return false;
+  if (is_perturbed(k)) leave_unjudged(things + " of the points that a perturbation makes of stationary points");
+  return !is_perturbed(k);
 }
 
 void CheckRun::leave_unjudged(const std::string& what) { add_once(report.not_judged, what); }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -82,7 +83,7 @@ struct CheckRun {
         options(options_),
         contacts(points_, truth_),
         placed(claim_.points.size()),
-        tells_regular_points(claim_.regular_counts || std::ranges::any_of(claim_.points, &is_regular_claim)) {
+        speaks_of_regular_points(claim_.regular_counts || std::ranges::any_of(claim_.points, &is_regular_claim)) {
     for (std::size_t index = 0; index < 4; ++index) {
       report.indices.at(index) = options_.indices.at(index) && (!claim_.indices || claim_.indices->at(index));
     }
@@ -97,7 +98,7 @@ struct CheckRun {
   // The claimed points that a perturbation makes of a stationary point, by that point.
   std::map<std::size_t, std::vector<std::size_t>> perturbed;
   // The claim counts or lists regular stationary points. It then says of all others that they are none.
-  bool tells_regular_points;
+  bool speaks_of_regular_points;
   CheckReport report;
 
   [[nodiscard]] StationaryIndex index(std::size_t record) const { return truth.index(record); }
@@ -108,40 +109,70 @@ struct CheckRun {
     return index < 0 || index > 3 || report.indices.at(static_cast<std::size_t>(index));
   }
   [[nodiscard]] bool judges_all() const { return report.indices == ClaimedIndices{true, true, true, true}; }
-  // Reports a finding about a claimed point.
+  // Reports what is wrong with a claimed point, or with a part of what is claimed of it ("volume 3").
   void find(int level, FindingReason reason, const std::string& clause, std::size_t claimed_point,
-            const std::string& truth_text);
-  // Reports a permitted variation of a claimed point.
+            const std::string& truth_text, const std::string& part = {});
+  // Reports a permitted variation of a claimed point, or of such a part.
   void vary(int level, FindingReason reason, const std::string& clause, std::size_t claimed_point,
-            const std::string& truth_text);
+            const std::string& truth_text, const std::string& part = {}, bool is_decided = true);
+  // Reports a finding about a stationary point that is not claimed. Its contact set and place are filled in.
+  void find_unclaimed(std::size_t record, Finding finding);
   // The side, 0 or 1, of the index-2 point at which claimed point k is, for a side as claimed. They differ where a part
   // of the contact set is named that turns the other way (FC-CLAIM-02).
   [[nodiscard]] std::size_t true_side(std::size_t k, std::size_t claimed_side) const;
   // Reports something wrong with the claim as a whole.
   void find_whole(int level, FindingReason reason, const std::string& clause, const std::string& claimed,
                   const std::string& truth_text);
-  // Tells the progress of the check, if somebody asked for it.
-  void tell(int level, std::size_t done, std::size_t total) const;
+  // Reports the progress of the check, if the caller asked for it.
+  void show_progress(int level, std::size_t done, std::size_t total) const;
+  // Calls judge(claimed point) for all of them, in part number `part` of a level that has `parts`. True if one of the
+  // calls found something to judge.
+  bool judge_each(int level, std::size_t part, std::size_t parts, const std::function<bool(std::size_t)>& judge);
   // Whether what levels 4 and 5 ask of a claimed point can be judged: it is right, and it is known which point it is.
   // Reports that it is not judged if that alone is missing.
   [[nodiscard]] bool can_follow(std::size_t claimed_point);
+  // The same for these things ("volumes"), which are not judged of points that a perturbation makes.
+  [[nodiscard]] bool can_follow(std::size_t claimed_point, const std::string& things);
+  [[nodiscard]] bool is_perturbed(std::size_t claimed_point) const {
+    return perturbed.contains(placed[claimed_point].place->record);
+  }
+  // The report is exact if all claimed values are.
+  void note_exactness(bool is_exact) { report.is_exact = report.is_exact && is_exact; }
+  // match_position() and match_vector(), which note the exactness.
+  [[nodiscard]] ValueMatch match(const ClaimedPosition& claimed, const RationalPoint& truth_position,
+                                 const ValueScale& scale);
+  [[nodiscard]] ValueMatch match_direction(const ClaimedPosition& claimed, const RationalPoint& truth_vector);
   // Reports once that this is not judged, or not decided.
   void leave_unjudged(const std::string& what);
   void leave_undecided(const std::string& what);
-  // Whether these names are of a point that the claim lists at a stationary point, and that a perturbation makes of
-  // it; with an index, of a point of this index.
+  // Whether a perturbation makes of a stationary point a claimed point with these names, and with this index if one is
+  // given.
   [[nodiscard]] bool is_made(std::size_t record, const std::vector<PointId>& names, std::optional<int> index) const;
 
  private:
+  Finding of_point(std::size_t claimed_point, const std::string& part, Finding finding) const;
+
   std::vector<std::array<double, 3>> centers_in_doubles_;
 };
+
+inline constexpr StationaryIndex kIndex1{1, 1}, kIndex2{2, 2}, kMaximum{3, 3};
 
 // The stationary point at the centre of the smallest sphere through these samples, if there is one.
 [[nodiscard]] std::optional<Placement> placement_of(CheckRun& run, const std::vector<PointId>& names);
 
+// Where something ends: a stationary point, or nothing for infinity.
+using Limit = std::optional<std::size_t>;
+
+struct NamedTarget {
+  bool is_known = false;  // infinity, or a stationary point
+  Limit limit;
+  Fit fit = Fit::kWhole;
+};
+[[nodiscard]] NamedTarget named_target(CheckRun& run, const ClaimedTarget& target);
+
 // Level 1. Sets is_well_formed and names.
 void check_form(CheckRun& run);
-// Finds out where the well-formed points are. Reports what is ambiguous.
+// Finds where the well-formed points are. Reports what is ambiguous.
 void place_points(CheckRun& run);
 // Levels 2 and 3. The first two functions judge all claims at one stationary point. The third judges a claim that is
 // at none.
@@ -155,7 +186,8 @@ void check_values(CheckRun& run, std::size_t claimed_point);
 // Level 3: a critical point that nobody claims, and the Euler sum.
 void check_missing(CheckRun& run, std::size_t record);
 void check_euler_sum(CheckRun& run);
-// Levels 4 and 5. True if there was something to judge. The functions of level 5 are called in this order.
+// Levels 4 and 5. True if there was something to judge. Of level 5, the first five functions are parts with a loop over
+// all claimed points.
 inline constexpr std::size_t kPartsOfLevel5 = 5;
 bool check_incidences(CheckRun& run);
 bool check_polylines(CheckRun& run);

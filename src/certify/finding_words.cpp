@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kNamesShown = 16;
 constexpr std::size_t kDigitsShown = 20;
 
-std::string double_text(double value) {
+std::string shortest_text(double value) {
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
   return {text.data(), end.ptr};
@@ -47,6 +47,10 @@ std::string index_text(StationaryIndex index) {
   return text;
 }
 
+std::string target_text(const ClaimedTarget& target) {
+  return target.is_infinity ? "infinity" : names_text(target.contact);
+}
+
 std::string claim_text(const ClaimedPoint& point) {
   std::string text = point.hull_dimension ? "regular, kind " : "index ";
   text += std::to_string(point.index);
@@ -65,7 +69,7 @@ std::string number_text(const Rational& value) {
   if (exact.size() <= kDigitsShown) return exact;
   const std::optional<double> nearest = nearest_double(value);
   if (!nearest) return value > 0 ? "> 1.8e308" : "< -1.8e308";
-  return std::string("~").append(double_text(*nearest));
+  return std::string("~").append(shortest_text(*nearest));
 }
 
 std::string position_text(const RationalPoint& x) {

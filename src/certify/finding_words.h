@@ -18,6 +18,8 @@ namespace flowcert::certify {
 // "critical point of index 2, contact set 0 1 2 3"
 [[nodiscard]] std::string stationary_text(const Truth& truth, std::size_t record);
 [[nodiscard]] std::string index_text(StationaryIndex index);
+// "infinity", or a contact set.
+[[nodiscard]] std::string target_text(const ClaimedTarget& target);
 // A text as a message shows it: the first `longest` characters, and "..." if there are more.
 [[nodiscard]] std::string shortened(std::string text, std::size_t longest);
 // The exact number if its text is short; otherwise the rounded number, marked with ~.
@@ -26,11 +28,21 @@ namespace flowcert::certify {
 // A claimed number as it was written: a decimal is no fraction.
 [[nodiscard]] std::string number_text(const ClaimedNumber& number);
 [[nodiscard]] std::string position_text(const ClaimedPosition& x);
+// Of a std::optional or Boxed that has no number where no double is near.
+[[nodiscard]] std::string double_text(const auto& number) { return number ? number_text(*number) : "no double"; }
 // "1.2e-07 away", and for decimals "1.2e-07 away, 120 times the tolerance".
 [[nodiscard]] std::string offset_text(const ClaimedPosition& claimed, const RationalPoint& truth,
                                       const ValueScale& scale);
 
-// The finding to tell first: the first one about a point at the lowest level, else the very first. A wrong total
+// The reason of a wrong value: this one, unless rounding explains the value.
+[[nodiscard]] inline FindingReason rounding_or(FindingReason otherwise, bool by_rounding) {
+  return by_rounding ? FindingReason::kRounding : otherwise;
+}
+[[nodiscard]] inline FindingReason rounding_or(FindingReason otherwise, ValueMatch match) {
+  return rounding_or(otherwise, match == ValueMatch::kRounding);
+}
+
+// The finding to show first: the first one about a point at the lowest level, else the very first. A wrong total
 // mostly follows from a wrong point. There must be a finding. What is wrong must come before variations,
 // and both must be sorted by level.
 [[nodiscard]] const Finding& telling_finding(const std::vector<Finding>& findings);

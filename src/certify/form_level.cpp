@@ -1,4 +1,7 @@
 // Level 1: whether a claim means something, and is about this input (FC-CLAIM-01).
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <iterator>
 #include <set>
@@ -14,13 +17,6 @@ namespace flowcert::certify {
 namespace {
 
 constexpr char kClaimClause[] = "FC-CLAIM-01";
-
-template <std::size_t N>
-std::string counts_text(const std::array<std::size_t, N>& counts) {
-  std::string text;
-  for (const std::size_t count : counts) text.append(text.empty() ? "" : " ").append(std::to_string(count));
-  return text;
-}
 
 void check_input_of_claim(CheckRun& run) {
   const PointSet& points = run.points;
@@ -59,8 +55,8 @@ void check_counts_of_claim(CheckRun& run) {
       if (!run.report.indices.at(k)) claimed->at(k) = listed.at(k);
     }
     if (!claimed || *claimed == listed) return;
-    run.find_whole(1, FindingReason::kWrongCounts, kClaimClause, counts_text(*claimed) + " " + what,
-                   "the claim itself lists " + counts_text(listed));
+    run.find_whole(1, FindingReason::kWrongCounts, kClaimClause, fmt::format("{} {}", fmt::join(*claimed, " "), what),
+                   fmt::format("the claim itself lists {}", fmt::join(listed, " ")));
   };
   compare(run.claim.critical_counts, run.report.claimed_counts, "critical points");
   compare(run.claim.regular_counts, regular, "regular stationary points of kinds 1-2, 1-3, 2-3");
@@ -80,6 +76,26 @@ std::string complaint_about_ids(const PointSet& points, const std::vector<PointI
   return twice == sorted.end() ? "" : "point " + std::to_string(*twice) + " is named twice";
 }
 
+// The same of contact sets, none of which may be empty. `whose` is what has them.
+std::string complaint_about_contacts(const PointSet& points, const std::vector<std::vector<PointId>>& contacts,
+                                     const std::string& whose) {
+  for (const std::vector<PointId>& ids : contacts) {
+    const std::string complaint = ids.empty() ? "a contact set without points" : complaint_about_ids(points, ids);
+    if (!complaint.empty()) return "of " + whose + ": " + complaint;
+  }
+  return "";
+}
+
+std::string complaint_about_targets(const PointSet& points, const std::vector<ClaimedTarget>& targets,
+                                    const std::string& what) {
+  for (const ClaimedTarget& target : targets) {
+    if (!target.is_infinity && target.contact.empty()) return "a " + what + " without a contact set";
+    const std::string complaint = complaint_about_ids(points, target.contact);
+    if (!complaint.empty()) return "of a " + what + ": " + complaint;
+  }
+  return "";
+}
+
 std::string complaint_about_index(const ClaimedPoint& point) {
   if (!point.hull_dimension) {
     return point.index < 0 || point.index > 3 ? "an index is 0, 1, 2 or 3" : "";
@@ -90,11 +106,8 @@ std::string complaint_about_index(const ClaimedPoint& point) {
 
 std::string complaint_about_successors(const PointSet& points, const ClaimedPoint& point) {
   if (point.successors) {
-    for (const ClaimedTarget& target : *point.successors) {
-      if (!target.is_infinity && target.contact.empty()) return "a successor without a contact set";
-      const std::string complaint = complaint_about_ids(points, target.contact);
-      if (!complaint.empty()) return "of a successor: " + complaint;
-    }
+    const std::string complaint = complaint_about_targets(points, *point.successors, "successor");
+    if (!complaint.empty()) return complaint;
     if (point.successors_by_side && point.successors->size() != 2) return "there are two sides";
   }
   if (point.samples) {
@@ -114,11 +127,8 @@ std::string complaint_about_directions(const PointSet& points, const ClaimedPoin
   if (point.connections) {
     for (const ClaimedConnection& connection : *point.connections) limits.push_back(connection.to);
   }
-  for (const ClaimedTarget& limit : limits) {
-    if (!limit.is_infinity && limit.contact.empty()) return "a limit without a contact set";
-    const std::string complaint = complaint_about_ids(points, limit.contact);
-    if (!complaint.empty()) return "of a limit: " + complaint;
-  }
+  const std::string of_limits = complaint_about_targets(points, limits, "limit");
+  if (!of_limits.empty()) return of_limits;
   std::vector<PointId> samples;
   if (point.shares) {
     for (const ClaimedShare& share : *point.shares) samples.push_back(share.sample);
@@ -150,12 +160,7 @@ std::string complaint_about_stable(const PointSet& points, const ClaimedPoint& p
       if (!exist) return "of a stable set: an orbit along a segment that is not there";
     }
   }
-  for (const std::vector<PointId>& ids : lists) {
-    if (ids.empty()) return "of a stable set: a contact set without points";
-    const std::string complaint = complaint_about_ids(points, ids);
-    if (!complaint.empty()) return "of a stable set: " + complaint;
-  }
-  return "";
+  return complaint_about_contacts(points, lists, "a stable set");
 }
 
 bool is_zero_corner(const ClaimedCorner& corner) {
@@ -181,11 +186,8 @@ std::string complaint_about_unstable(const PointSet& points, const ClaimedPoint&
     lists.push_back(segment.samples);
     corners.push_back(segment.end);
   }
-  for (const std::vector<PointId>& ids : lists) {
-    if (ids.empty()) return "of an unstable set: a contact set without points";
-    const std::string complaint = complaint_about_ids(points, ids);
-    if (!complaint.empty()) return "of an unstable set: " + complaint;
-  }
+  const std::string complaint = complaint_about_contacts(points, lists, "an unstable set");
+  if (!complaint.empty()) return complaint;
   return std::ranges::any_of(corners, is_zero_corner) ? "of an unstable set: a vector that is zero" : "";
 }
 
@@ -229,9 +231,13 @@ void check_form_of_pockets(CheckRun& run) {
   for (const std::vector<PointId>& contact : contacts) {
     const std::string complaint = complaint_about_ids(run.points, contact);
     if (complaint.empty()) continue;
-    run.find_whole(1, FindingReason::kMalformed, kClaimClause, "a contact set in a pocket", complaint);
-    run.report.findings.back().contact = contact;
-    run.report.findings.back().line = pockets.line;
+    run.report.findings.push_back({.level = 1,
+                                   .reason = FindingReason::kMalformed,
+                                   .clause = kClaimClause,
+                                   .line = pockets.line,
+                                   .contact = contact,
+                                   .claimed = "a contact set in a pocket",
+                                   .truth = complaint});
   }
 }
 
@@ -263,7 +269,7 @@ void check_form(CheckRun& run) {
   check_input_of_claim(run);
   check_counts_of_claim(run);
   for (std::size_t k = 0; k < run.claim.points.size(); ++k) {
-    run.tell(1, k, run.claim.points.size());
+    run.show_progress(1, k, run.claim.points.size());
     const ClaimedPoint& point = run.claim.points[k];
     if (!point.hull_dimension && !run.judges(point.index)) {
       check_unjudged_index(run, k);

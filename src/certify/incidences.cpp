@@ -1,11 +1,15 @@
 // Level 4: incidences (FC-CLAIM-06). If a perturbation would let an orbit leave the point where it ends, they may
 // vary (FC-CLAIM-07).
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <map>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "certify/boundaries.h"
 #include "certify/check_run.h"
@@ -16,10 +20,6 @@ namespace flowcert::certify {
 
 namespace {
 
-// Where an orbit ends: a stationary point, or nothing for infinity.
-using Limit = std::optional<std::size_t>;
-
-constexpr StationaryIndex kIndex2{2, 2};
 constexpr FindingReason kPerturbation = FindingReason::kSymbolicPerturbation;
 
 // Where a perturbation can make an orbit end.
@@ -28,12 +28,6 @@ struct Continuations {
   // A squared distance, if some of these orbits end at regular stationary points: the least of such a point. Then
   // any stationary point that is farther from the samples is possible too.
   std::optional<Rational> beyond;
-};
-
-struct NamedTarget {
-  bool is_known = false;  // infinity, or a stationary point
-  Limit limit;
-  Fit fit = Fit::kWhole;
 };
 
 class Incidences {
@@ -51,7 +45,7 @@ class Incidences {
     const std::size_t record = run_.placed[k].place->record;
     std::set<std::size_t> missing = saddles_above(record), seen;
     const bool is_without_saddle = missing.empty();
-    std::string wrong;
+    std::vector<std::string> wrong;
     bool infinity_is_named = false;
     std::optional<FindingReason> varies;  // the last of its reasons in the order of the list
     const auto vary = [&varies](FindingReason reason) { varies = varies ? std::max(*varies, reason) : reason; };
@@ -67,7 +61,7 @@ class Incidences {
       } else if (const auto why = there.limit ? why_it_may_come_down(*there.limit, record) : std::nullopt) {
         vary(*why);
       } else {
-        wrong += (wrong.empty() ? "" : ", ") + target_text(target);
+        wrong.push_back(target_text(target));
       }
     }
     std::erase_if(missing, [&](std::size_t saddle) {
@@ -77,7 +71,8 @@ class Incidences {
       return true;
     });
     if (!wrong.empty() || !missing.empty()) {
-      run_.find(4, FindingReason::kWrongIncidence, "FC-CHAIN-01", k, saddles_text(wrong, missing));
+      run_.find(4, FindingReason::kWrongIncidence, "FC-CHAIN-01", k,
+                words("an orbit comes to it also from ", missing, "no orbit comes to it from ", wrong));
     } else if (varies) {
       vary_saddles(k, *varies);
     }
@@ -94,11 +89,9 @@ class Incidences {
     if (are_known && is_exactly(targets, truth, point.successors_by_side)) {
       vary_parts(k, targets);
     } else if (are_known && is_permitted(targets, truth, point.successors_by_side)) {
-      run_.vary(4, FindingReason::kSymbolicPerturbation, "FC-CLAIM-07", k, limits_text(truth));
-      name_targets(point);
+      run_.vary(4, kPerturbation, "FC-CLAIM-07", k, limits_text(truth), targets_text(point));
     } else {
-      run_.find(4, FindingReason::kWrongIncidence, "FC-FLOW-07", k, limits_text(truth));
-      name_targets(point);
+      run_.find(4, FindingReason::kWrongIncidence, "FC-FLOW-07", k, limits_text(truth), targets_text(point));
     }
   }
 
@@ -108,9 +101,9 @@ class Incidences {
         run_.placed[k].names.empty() ? run_.truth.contact(run_.placed[k].place->record)[0] : run_.placed[k].names[0];
     std::set<std::size_t> missing;
     for (const std::uint32_t record : run_.contacts.of(name)) {
-      if (run_.index(record) == StationaryIndex{1, 1}) missing.insert(record);
+      if (run_.index(record) == kIndex1) missing.insert(record);
     }
-    std::string wrong;
+    std::vector<std::string> wrong;
     bool varies = false;
     std::set<std::size_t> seen;
     for (const ClaimedTarget& target : *run_.claim.points[k].successors) {
@@ -120,11 +113,12 @@ class Incidences {
       if (there.limit && is_perturbed_edge(target, *there.limit, name)) {
         varies = true;
       } else {
-        wrong += (wrong.empty() ? "" : ", ") + target_text(target);
+        wrong.push_back(target_text(target));
       }
     }
     if (!wrong.empty() || !missing.empty()) {
-      run_.find(4, FindingReason::kWrongIncidence, "FC-FLOW-07", k, edges_text(wrong, missing));
+      run_.find(4, FindingReason::kWrongIncidence, "FC-FLOW-07", k,
+                words("it is an end also of ", missing, "it is no end of ", wrong));
     } else if (varies) {
       run_.vary(4, FindingReason::kSymbolicPerturbation, "FC-CLAIM-04", k, "a perturbation makes some of the edges");
     }
@@ -145,16 +139,16 @@ class Incidences {
                                                                          : names == placed.names;
     if (is_right) return;
     run_.find(4, FindingReason::kWrongIncidence, "FC-FLOW-07", k,
-              "the stable manifold is the segment between the two points of the contact set");
-    run_.report.findings.back().claimed += ", samples " + names_text(names);
+              "the stable manifold is the segment between the two points of the contact set",
+              "samples " + names_text(names));
   }
 
   // For a maximum. Nothing flows from it.
   void check_nothing_above(std::size_t k) {
     for (const ClaimedTarget& target : *run_.claim.points[k].successors) {
       if (target.is_infinity) continue;
-      run_.find(4, FindingReason::kWrongIncidence, "FC-FLOW-03", k, "nothing flows from a maximum");
-      run_.report.findings.back().claimed += ", up to " + target_text(target);
+      run_.find(4, FindingReason::kWrongIncidence, "FC-FLOW-03", k, "nothing flows from a maximum",
+                "up to " + target_text(target));
     }
   }
 
@@ -166,12 +160,11 @@ class Incidences {
   }
 
   NamedTarget named(const ClaimedTarget& target) {
-    if (target.is_infinity) return {true, std::nullopt, Fit::kWhole};
-    const std::vector<PointId> names = class_names(run_.points, target.contact);
-    const std::optional<Placement> place = placement_of(run_, names);
-    if (!place) return {false, std::nullopt, Fit::kOther};
-    const bool is_made = place->fit != Fit::kWhole && run_.is_made(place->record, names, std::nullopt);
-    return {true, place->record, is_made ? Fit::kMade : place->fit};
+    NamedTarget there = named_target(run_, target);
+    const bool is_made = there.limit && there.fit != Fit::kWhole &&
+                         run_.is_made(*there.limit, class_names(run_.points, target.contact), std::nullopt);
+    if (is_made) there.fit = Fit::kMade;
+    return there;
   }
 
   // For an index-1 critical point without a saddle above it: whether a direction or an arc of its λ-list leads to
@@ -182,15 +175,15 @@ class Incidences {
       limits.insert(entry.limit == FlowLimits::Entry::kInfinity ? Limit() : Limit(entry.limit));
     }
     if (limits.contains(std::nullopt)) return;
+    const std::string truth = "nothing that leaves it ends at infinity", part = "up to infinity";
     if (std::ranges::any_of(limits, [this](const Limit& limit) { return may_end(std::nullopt, limit); })) {
-      run_.vary(4, kPerturbation, "FC-CLAIM-07", k, "nothing that leaves it ends at infinity");
+      run_.vary(4, kPerturbation, "FC-CLAIM-07", k, truth, part);
     } else {
-      run_.find(4, FindingReason::kWrongIncidence, "FC-CLAIM-06", k, "nothing that leaves it ends at infinity");
+      run_.find(4, FindingReason::kWrongIncidence, "FC-CLAIM-06", k, truth, part);
     }
-    run_.report.findings.back().claimed += ", up to infinity";
   }
 
-  // Found for all edges at the first call, because only the saddles' stable sets tell them.
+  // Found for all edges at the first call, from the saddles' stable sets.
   const std::set<std::size_t>& saddles_above(std::size_t edge) {
     if (saddles_above_.empty()) {
       for (std::size_t i = 0; i < run_.truth.size(); ++i) {
@@ -215,13 +208,14 @@ class Incidences {
     return std::nullopt;
   }
 
-  [[nodiscard]] std::string saddles_text(const std::string& wrong, const std::set<std::size_t>& missing) const {
-    std::string text;
-    for (const std::size_t record : missing) {
-      text += (text.empty() ? "an orbit comes to it also from " : ", ") + names_text(run_.truth.contact(record));
-    }
-    if (wrong.empty()) return text;
-    return text + (text.empty() ? "" : "; ") + "no orbit comes to it from " + wrong;
+  // Which points are missing, and which ones are wrong.
+  [[nodiscard]] std::string words(const std::string& also, const std::set<std::size_t>& missing, const std::string& no,
+                                  const std::vector<std::string>& wrong) const {
+    std::vector<std::string> parts, names;
+    for (const std::size_t record : missing) names.push_back(names_text(run_.truth.contact(record)));
+    if (!names.empty()) parts.push_back(fmt::format("{}{}", also, fmt::join(names, ", ")));
+    if (!wrong.empty()) parts.push_back(fmt::format("{}{}", no, fmt::join(wrong, ", ")));
+    return fmt::format("{}", fmt::join(parts, "; "));
   }
 
   void vary_saddles(std::size_t k, FindingReason reason) {
@@ -315,33 +309,20 @@ class Incidences {
 
   void vary_parts(std::size_t k, const std::vector<NamedTarget>& targets) {
     if (std::ranges::none_of(targets, [](const NamedTarget& t) { return t.fit == Fit::kPart; })) return;
-    run_.vary(4, FindingReason::kSpanningPart, "FC-CLAIM-02", k, limits_text(limits_as_claimed(k)));
-    name_targets(run_.claim.points[k]);
+    run_.vary(4, FindingReason::kSpanningPart, "FC-CLAIM-02", k, limits_text(limits_as_claimed(k)),
+              targets_text(run_.claim.points[k]));
   }
 
-  static std::string target_text(const ClaimedTarget& target) {
-    return target.is_infinity ? "infinity" : names_text(target.contact);
-  }
-  void name_targets(const ClaimedPoint& point) {
-    std::string text;
-    for (const ClaimedTarget& target : *point.successors) {
-      text += (text.empty() ? ", up to " : ", ") + target_text(target);
-    }
-    run_.report.findings.back().claimed += text.empty() ? ", up to nothing" : text;
+  static std::string targets_text(const ClaimedPoint& point) {
+    std::vector<std::string> texts;
+    for (const ClaimedTarget& target : *point.successors) texts.push_back(target_text(target));
+    return texts.empty() ? "up to nothing" : fmt::format("up to {}", fmt::join(texts, ", "));
   }
   [[nodiscard]] std::string limit_text(const Limit& limit) const {
     return limit ? "a " + stationary_text(run_.truth, *limit) : "infinity";
   }
   [[nodiscard]] std::string limits_text(const std::array<Limit, 2>& limits) const {
     return "its orbits end at " + limit_text(limits[0]) + " (side 0) and at " + limit_text(limits[1]) + " (side 1)";
-  }
-  [[nodiscard]] std::string edges_text(const std::string& wrong, const std::set<std::size_t>& missing) const {
-    std::string text;
-    for (const std::size_t record : missing) {
-      text += (text.empty() ? "it is an end also of " : ", ") + names_text(run_.truth.contact(record));
-    }
-    if (wrong.empty()) return text;
-    return text + (text.empty() ? "" : "; ") + "it is no end of " + wrong;
   }
 
   CheckRun& run_;
@@ -359,7 +340,7 @@ bool check_point(CheckRun& run, Incidences& incidences, std::size_t k) {
   const bool has_successors = point.successors && run.judges(point.index + 1);
   if ((!has_samples && !has_boundary && !has_successors) || !run.can_follow(k)) return false;
   if (has_samples) incidences.check_samples(k);
-  if ((has_successors || has_boundary) && run.perturbed.contains(run.placed[k].place->record)) {
+  if ((has_successors || has_boundary) && run.is_perturbed(k)) {
     run.leave_unjudged("incidences of the points that a perturbation makes of stationary points");
     return has_samples;
   }
@@ -376,11 +357,7 @@ bool check_point(CheckRun& run, Incidences& incidences, std::size_t k) {
 
 bool check_incidences(CheckRun& run) {
   Incidences incidences(run);
-  bool judged = false;
-  for (std::size_t k = 0; k < run.placed.size(); ++k) {
-    run.tell(4, k, run.placed.size());
-    if (check_point(run, incidences, k)) judged = true;
-  }
+  const bool judged = run.judge_each(4, 0, 1, [&](std::size_t k) { return check_point(run, incidences, k); });
   incidences.conclude_boundaries();
   return judged;
 }

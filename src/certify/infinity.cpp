@@ -37,7 +37,7 @@ class InfinityPieces {
     const Comparison found =
         PieceMatcher(names, [&](std::size_t c, std::size_t i) { return match(claimed[c], truth[i]); }).compare();
     if (!found.strange.empty()) {
-      find(found.is_rounding ? FindingReason::kRounding : FindingReason::kWrongSurface,
+      find(rounding_or(FindingReason::kWrongSurface, found.is_rounding),
            "infinity, an " + what + " of " + names_text(names_in(claimed[found.strange.front()])),
            "no such " + what + " flows there (in all " + std::to_string(found.strange.size()) + " such claims)");
       return;
@@ -49,8 +49,12 @@ class InfinityPieces {
   }
 
   void find(FindingReason reason, const std::string& claimed, const std::string& truth) {
-    run_.find_whole(5, reason, "FC-CLAIM-16", claimed, truth);
-    run_.report.findings.back().line = claimed_.line;
+    run_.report.findings.push_back({.level = 5,
+                                    .reason = reason,
+                                    .clause = "FC-CLAIM-16",
+                                    .line = claimed_.line,
+                                    .claimed = claimed,
+                                    .truth = truth});
   }
 
   static const auto& names_in(const auto& piece) {
@@ -67,13 +71,8 @@ class InfinityPieces {
 
   // Pieces of the same names are compared. Near means near as a part of the distance from there to the samples.
   ValueMatch match(const ClaimedPosition& claimed, const RationalPoint& truth, PointId name) {
-    run_.report.is_exact = run_.report.is_exact && is_exact(claimed);
     const Rational far = squared_distance(truth, sample(run_.points, name));
-    return match_position(claimed, truth, ValueScale({truth, far}, run_.options.tolerance));
-  }
-  ValueMatch match_direction(const ClaimedPosition& claimed, const RationalPoint& truth) {
-    run_.report.is_exact = run_.report.is_exact && is_exact(claimed);
-    return match_vector(claimed, truth, run_.options.tolerance);
+    return run_.match(claimed, truth, ValueScale({truth, far}, run_.options.tolerance));
   }
 
   ValueMatch match(const ClaimedBackwardSegment& claimed, const BackwardSegment& truth) {
@@ -83,7 +82,8 @@ class InfinityPieces {
   }
   ValueMatch match(const ClaimedUnboundedSegment& claimed, const UnboundedSegment& truth) {
     if (!has_back(claimed, truth)) return ValueMatch::kOff;
-    return std::max(match_direction(claimed.vector, truth.vector), match(claimed.back, truth.back, truth.samples[0]));
+    return std::max(run_.match_direction(claimed.vector, truth.vector),
+                    match(claimed.back, truth.back, truth.samples[0]));
   }
   template <typename Claimed, typename True>
   [[nodiscard]] bool has_back(const Claimed& claimed, const True& truth) const {
@@ -98,7 +98,8 @@ class InfinityPieces {
   }
   ValueMatch match(const ClaimedUnboundedInterval& claimed, const UnboundedInterval& truth) {
     if (!has_end(claimed, truth)) return ValueMatch::kOff;
-    return std::max(match_direction(claimed.vector, truth.vector), match(claimed.back, truth.back, truth.polygon[0]));
+    return std::max(run_.match_direction(claimed.vector, truth.vector),
+                    match(claimed.back, truth.back, truth.polygon[0]));
   }
   template <typename Claimed, typename True>
   static bool has_end(const Claimed& claimed, const True& truth) {
@@ -113,7 +114,7 @@ class InfinityPieces {
   ValueMatch match(const ClaimedUnboundedSector& claimed, const UnboundedSector& truth) {
     return match_ring(claimed.corners, truth.corners, [&](const ClaimedCorner& corner, const SectorCorner& other) {
       if (corner.at_infinity != other.is_vector) return ValueMatch::kOff;
-      return corner.at_infinity ? match_direction(corner.position, other.position)
+      return corner.at_infinity ? run_.match_direction(corner.position, other.position)
                                 : match(corner.position, other.position, truth.samples[0]);
     });
   }

@@ -15,22 +15,19 @@ namespace flowcert::certify {
 
 namespace {
 
-// A limit of directions: a place in the list of stationary points, or nothing for infinity.
-using DirectionLimit = std::optional<std::size_t>;
+// What names no stationary point rightly is not known.
+NamedTarget rightly_named(CheckRun& run, const ClaimedTarget& target) {
+  NamedTarget named = named_target(run, target);
+  named.is_known = named.is_known && named.fit != Fit::kOther;
+  return named;
+}
 
-// A limit as it is claimed. What names no stationary point rightly is never equal to a true one.
-struct NamedLimit {
-  bool is_known = false;
-  bool is_part = false;  // it is named by a part of its contact set (FC-CLAIM-02)
-  DirectionLimit limit;
-
-  [[nodiscard]] bool is(const DirectionLimit& truth) const { return is_known && limit == truth; }
-};
+bool is_part(const NamedTarget& named) { return named.is_known && named.fit == Fit::kPart; }
 
 // The labels of a list: directions, and arcs between them.
-template <typename Limit>
+template <typename Label>
 struct Labels {
-  std::vector<Limit> directions, arcs;
+  std::vector<Label> directions, arcs;
 };
 
 constexpr std::size_t kMostLimitsShown = 12;
@@ -47,37 +44,36 @@ class LambdaLists {
     if (truth.directions.size() == 2 && truth.arcs.empty() && run_.true_side(k, 0) == 1) {
       std::swap(truth.directions[0], truth.directions[1]);
     }
-    Labels<NamedLimit> labels;
-    for (const ClaimedDirection& one : claimed.directions) labels.directions.push_back(named(one.limit));
-    for (const ClaimedTarget& arc : claimed.arcs) labels.arcs.push_back(named(arc));
+    Labels<NamedTarget> labels;
+    for (const ClaimedDirection& one : claimed.directions) labels.directions.push_back(rightly_named(run_, one.limit));
+    for (const ClaimedTarget& arc : claimed.arcs) labels.arcs.push_back(rightly_named(run_, arc));
     const std::vector<std::size_t> turns = right_turns(labels, truth, is_cycle(record));
     if (turns.empty()) {
       find(k, FindingReason::kWrongLambdaList, "FC-UNST-02", text_of_claimed(claimed), text_of_true(truth));
       return;
     }
     check_exits(k, claimed, truth, turns);
-    if (std::ranges::any_of(labels.directions, &NamedLimit::is_part) ||
-        std::ranges::any_of(labels.arcs, &NamedLimit::is_part)) {
+    if (std::ranges::any_of(labels.directions, is_part) || std::ranges::any_of(labels.arcs, is_part)) {
       run_.vary(5, FindingReason::kSpanningPart, "FC-CLAIM-02", k, text_of_true(truth));
     }
   }
 
   void check_connections(std::size_t k) {
-    std::map<DirectionLimit, Connection> missing;
+    std::map<Limit, Connection> missing;
     for (const Connection& one : run_.truth.connections(run_.placed[k].place->record)) {
-      missing.emplace(one.to == Connection::kInfinity ? DirectionLimit() : DirectionLimit(one.to), one);
+      missing.emplace(one.to == Connection::kInfinity ? Limit() : Limit(one.to), one);
     }
     bool has_part = false;
     for (const ClaimedConnection& claimed : *run_.claim.points[k].connections) {
-      const NamedLimit to = named(claimed.to);
+      const NamedTarget to = rightly_named(run_, claimed.to);
       const auto truth = to.is_known ? missing.find(to.limit) : missing.end();
       if (truth == missing.end()) {
-        find_connection(k, "a connection to " + text_of(claimed.to), "there is none, or it is claimed already");
+        find_connection(k, "a connection to " + target_text(claimed.to), "there is none, or it is claimed already");
         continue;
       }
       check_numbers(k, claimed, truth->second);
       missing.erase(truth);
-      has_part = has_part || to.is_part;
+      has_part = has_part || is_part(to);
     }
     for (const auto& [to, connection] : missing) {
       find_connection(k, "no connection to " + text_of(to), numbers_text(connection.orbits, connection.families));
@@ -98,34 +94,27 @@ class LambdaLists {
  private:
   void find(std::size_t k, FindingReason reason, const std::string& clause, const std::string& claimed,
             const std::string& truth) {
-    run_.find(5, reason, clause, k, truth);
-    run_.report.findings.back().claimed += ", " + claimed;
+    run_.find(5, reason, clause, k, truth, claimed);
   }
   void find_connection(std::size_t k, const std::string& claimed, const std::string& truth) {
     find(k, FindingReason::kWrongConnections, "FC-CONN-01", claimed, truth);
   }
 
-  [[nodiscard]] bool is_cycle(std::size_t record) const { return run_.index(record) == StationaryIndex{1, 1}; }
-
-  NamedLimit named(const ClaimedTarget& target) {
-    if (target.is_infinity) return {true, false, std::nullopt};
-    const auto place = placement_of(run_, class_names(run_.points, target.contact));
-    if (!place || place->fit == Fit::kOther) return {};
-    return {true, place->fit == Fit::kPart, place->record};
-  }
+  [[nodiscard]] bool is_cycle(std::size_t record) const { return run_.index(record) == kIndex1; }
 
   // By how many places the claimed list may be turned so that its limits are the true ones.
-  static std::vector<std::size_t> right_turns(const Labels<NamedLimit>& claimed, const LambdaList& truth,
+  static std::vector<std::size_t> right_turns(const Labels<NamedTarget>& claimed, const LambdaList& truth,
                                               bool is_cycle) {
     const std::size_t n = truth.directions.size(), arcs = truth.arcs.size();
     if (claimed.directions.size() != n || claimed.arcs.size() != arcs) return {};
+    const auto is = [](const NamedTarget& label, const Limit& limit) { return label.is_known && label.limit == limit; };
     std::vector<std::size_t> turns;
     for (std::size_t turn = 0; turn < (is_cycle ? std::max<std::size_t>(n, 1) : 1); ++turn) {
       bool is_right = true;
       for (std::size_t i = 0; i < n && is_right; ++i) {
-        is_right = claimed.directions[(i + turn) % n].is(truth.directions[i].limit);
+        is_right = is(claimed.directions[(i + turn) % n], truth.directions[i].limit);
       }
-      for (std::size_t i = 0; i < arcs && is_right; ++i) is_right = claimed.arcs[(i + turn) % arcs].is(truth.arcs[i]);
+      for (std::size_t i = 0; i < arcs && is_right; ++i) is_right = is(claimed.arcs[(i + turn) % arcs], truth.arcs[i]);
       if (is_right) turns.push_back(turn);
     }
     return turns;
@@ -155,14 +144,14 @@ class LambdaLists {
     }
     if (fewest.empty()) return;
     const std::size_t first = fewest.front();
-    find(k, by_rounding ? FindingReason::kRounding : FindingReason::kWrongLambdaList, "FC-UNST-02",
+    find(k, rounding_or(FindingReason::kWrongLambdaList, by_rounding), "FC-UNST-02",
          text_of(claimed.directions[(first + best_turn) % n]),
          text_of(truth.directions[first]) + " (in all " + std::to_string(fewest.size()) + " such directions)");
   }
 
   ValueMatch matched(const ClaimedDirection& claimed, const LambdaList::Direction& truth, const ValueScale& scale) {
     if (!claimed.exit) return ValueMatch::kEqual;
-    run_.report.is_exact = run_.report.is_exact && is_exact(*claimed.exit);
+    run_.note_exactness(is_exact(*claimed.exit));
     if (claimed.is_vector != truth.is_vector) return ValueMatch::kOff;
     const ValueMatch match = claimed.is_vector ? match_vector(*claimed.exit, truth.exit, run_.options.tolerance)
                                                : match_position(*claimed.exit, truth.exit, scale);
@@ -193,7 +182,7 @@ class LambdaLists {
 
   void check_numbers(std::size_t k, const ClaimedConnection& claimed, const Connection& truth) {
     if (claimed.orbits == truth.orbits && claimed.families == truth.families) return;
-    find_connection(k, "to " + text_of(claimed.to) + " " + numbers_text(claimed.orbits, claimed.families),
+    find_connection(k, "to " + target_text(claimed.to) + " " + numbers_text(claimed.orbits, claimed.families),
                     numbers_text(truth.orbits, truth.families));
   }
 
@@ -201,16 +190,13 @@ class LambdaLists {
     return "orbits: " + std::to_string(orbits) + ", families: " + std::to_string(families);
   }
 
-  static std::string text_of(const ClaimedTarget& target) {
-    return target.is_infinity ? "infinity" : names_text(target.contact);
-  }
-  [[nodiscard]] std::string text_of(const DirectionLimit& limit) const {
+  [[nodiscard]] std::string text_of(const Limit& limit) const {
     return limit ? names_text(run_.truth.contact(*limit)) : "infinity";
   }
   static std::string text_of(const ClaimedDirection& direction) {
-    if (!direction.exit) return "a direction to " + text_of(direction.limit);
-    return "a direction to " + text_of(direction.limit) + (direction.is_vector ? ", along " : ", leaving at ") +
-           position_text(*direction.exit);
+    const std::string text = "a direction to " + target_text(direction.limit);
+    if (!direction.exit) return text;
+    return text + (direction.is_vector ? ", along " : ", leaving at ") + position_text(*direction.exit);
   }
   [[nodiscard]] std::string text_of(const LambdaList::Direction& direction) const {
     return (direction.is_vector ? "it leads along " : "it leaves at ") + position_text(direction.exit);
@@ -231,14 +217,14 @@ class LambdaLists {
   }
   static std::string text_of_claimed(const ClaimedLambdaList& list) {
     Labels<std::string> labels;
-    for (const ClaimedDirection& one : list.directions) labels.directions.push_back(text_of(one.limit));
-    for (const ClaimedTarget& arc : list.arcs) labels.arcs.push_back(text_of(arc));
+    for (const ClaimedDirection& one : list.directions) labels.directions.push_back(target_text(one.limit));
+    for (const ClaimedTarget& arc : list.arcs) labels.arcs.push_back(target_text(arc));
     return list_text(labels);
   }
   [[nodiscard]] std::string text_of_true(const LambdaList& list) const {
     Labels<std::string> labels;
     for (const LambdaList::Direction& one : list.directions) labels.directions.push_back(text_of(one.limit));
-    for (const DirectionLimit& arc : list.arcs) labels.arcs.push_back(text_of(arc));
+    for (const Limit& arc : list.arcs) labels.arcs.push_back(text_of(arc));
     return list_text(labels);
   }
 
@@ -257,26 +243,25 @@ void check_morse_smale(CheckRun& run) {
 
 bool check_lambda_lists(CheckRun& run) {
   LambdaLists lists(run);
-  bool judged = run.claim.morse_smale.has_value();
-  if (judged) check_morse_smale(run);
-  for (std::size_t k = 0; k < run.placed.size(); ++k) {
-    run.tell(5, 2 * run.placed.size() + k, kPartsOfLevel5 * run.placed.size());
+  const bool has_morse_smale = run.claim.morse_smale.has_value();
+  if (has_morse_smale) check_morse_smale(run);
+  const bool has_points = run.judge_each(5, 2, kPartsOfLevel5, [&](std::size_t k) {
     const ClaimedPoint& point = run.claim.points[k];
-    if ((!point.lambda && !point.connections) || !run.can_follow(k)) continue;
+    if ((!point.lambda && !point.connections) || !run.can_follow(k)) return false;
     if (!run.judges(2) || !run.judges(3)) {
       run.leave_unjudged("lambda-lists and connections, which lead to points of other indices (FC-CLAIM-12)");
-      continue;
+      return false;
     }
     if (lists.is_perturbed(k)) {
       run.leave_unjudged(
           "lambda-lists and connections of, or to, the points that a perturbation makes of stationary points");
-      continue;
+      return false;
     }
     if (point.lambda) lists.check_list(k);
     if (point.connections) lists.check_connections(k);
-    judged = true;
-  }
-  return judged;
+    return true;
+  });
+  return has_morse_smale || has_points;
 }
 
 }  // namespace flowcert::certify

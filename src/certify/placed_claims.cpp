@@ -14,9 +14,11 @@ namespace {
 
 using Claims = std::vector<std::size_t>;
 
+std::string text_of(const CheckRun& run, std::size_t record) { return "a " + stationary_text(run.truth, record); }
+
 void find_incomplete(CheckRun& run, std::size_t k, std::size_t record) {
   run.find(2, FindingReason::kContactIncomplete, "FC-CRIT-05 (c)", k,
-           "the centre is that of a " + stationary_text(run.truth, record) +
+           "the centre is that of " + text_of(run, record) +
                "; what is claimed is neither all of that nor a simplex that spans it");
 }
 
@@ -27,10 +29,8 @@ void find_twice(CheckRun& run, std::size_t k, std::size_t first) {
 
 void vary_contact(CheckRun& run, std::size_t k, std::size_t record) {
   if (run.placed[k].place->fit != Fit::kPart) return;
-  run.vary(2, FindingReason::kSpanningPart, "FC-CLAIM-02", k, "the whole is a " + stationary_text(run.truth, record));
+  run.vary(2, FindingReason::kSpanningPart, "FC-CLAIM-02", k, "the whole is " + text_of(run, record));
 }
-
-std::string text_of(const CheckRun& run, std::size_t record) { return "a " + stationary_text(run.truth, record); }
 
 void find_collision(CheckRun& run, std::size_t k, std::size_t record, const std::string& words) {
   run.find(2, FindingReason::kCollisionAsCritical, "FC-CRIT-03", k, text_of(run, record) + "; " + words);
@@ -41,8 +41,7 @@ void accept_perturbed(CheckRun& run, std::size_t record, const Claims& claimed, 
   run.perturbed[record] = claimed;
   for (const std::size_t k : claimed) {
     run.placed[k].is_right = true;
-    run.vary(2, FindingReason::kSymbolicPerturbation, "FC-CLAIM-04", k, text_of(run, record));
-    run.report.findings.back().is_decided = is_decided;
+    run.vary(2, FindingReason::kSymbolicPerturbation, "FC-CLAIM-04", k, text_of(run, record), "", is_decided);
   }
   if (!is_decided) {
     run.leave_undecided(
@@ -107,16 +106,12 @@ void judge_perturbed_regular(CheckRun& run, std::size_t record, const Claims& cl
 
 // Without a perturbation, the point is there. The clause permits to leave it out.
 void vary_denied(CheckRun& run, std::size_t record) {
-  const auto contact = run.truth.contact(record);
-  run.report.findings.push_back({3,
-                                 FindingReason::kSymbolicPerturbation,
-                                 true,
-                                 "FC-CLAIM-04",
-                                 std::nullopt,
-                                 {contact.begin(), contact.end()},
-                                 "no regular stationary point",
-                                 text_of(run, record)});
-  run.report.findings.back().record = record;
+  run.find_unclaimed(record, {.level = 3,
+                              .reason = FindingReason::kSymbolicPerturbation,
+                              .is_variation = true,
+                              .clause = "FC-CLAIM-04",
+                              .claimed = "no regular stationary point",
+                              .truth = text_of(run, record)});
 }
 
 // Whether a claim that says "regular" is right.
@@ -124,7 +119,7 @@ bool judge_regular_claim(CheckRun& run, std::size_t k, std::size_t record) {
   const ClaimedPoint& point = run.claim.points[k];
   const StationaryIndex kind = run.index(record);
   if (point.index != kind.face_dimension || *point.hull_dimension != kind.hull_dimension) {
-    run.find(3, FindingReason::kWrongIndex, "FC-CRIT-03", k, "a " + stationary_text(run.truth, record));
+    run.find(3, FindingReason::kWrongIndex, "FC-CRIT-03", k, text_of(run, record));
     return false;
   }
   if (run.placed[k].place->fit == Fit::kOther) {
@@ -155,7 +150,7 @@ void check_claims_at_critical(CheckRun& run, std::size_t record, const Claims& c
     }
     is_addressed = true;
     if (!has_own_index(k)) {
-      run.find(3, FindingReason::kWrongIndex, "FC-CRIT-02", k, "a " + stationary_text(run.truth, record));
+      run.find(3, FindingReason::kWrongIndex, "FC-CRIT-02", k, text_of(run, record));
     } else if (first) {
       find_twice(run, k, *first);
     } else {
@@ -189,21 +184,16 @@ void check_claims_at_regular(CheckRun& run, std::size_t record, const Claims& cl
     check_values(run, k);
   }
   if (!critical.empty()) judge_perturbed_regular(run, record, critical, regular.has_value());
-  if (critical.empty() && !is_said_regular && run.tells_regular_points) vary_denied(run, record);
+  if (critical.empty() && !is_said_regular && run.speaks_of_regular_points) vary_denied(run, record);
 }
 
 void check_missing(CheckRun& run, std::size_t record) {
-  const auto contact = run.truth.contact(record);
-  const bool by_cluster = contact.size() > run.index(record).hull_dimension + std::size_t{1};
-  run.report.findings.push_back({3,
-                                 by_cluster ? FindingReason::kMissedByCluster : FindingReason::kMissing,
-                                 false,
-                                 "FC-CLAIM-03",
-                                 std::nullopt,
-                                 {contact.begin(), contact.end()},
-                                 "nothing",
-                                 "a " + stationary_text(run.truth, record)});
-  run.report.findings.back().record = record;
+  const bool by_cluster = run.truth.contact(record).size() > run.index(record).hull_dimension + std::size_t{1};
+  run.find_unclaimed(record, {.level = 3,
+                              .reason = by_cluster ? FindingReason::kMissedByCluster : FindingReason::kMissing,
+                              .clause = "FC-CLAIM-03",
+                              .claimed = "nothing",
+                              .truth = text_of(run, record)});
 }
 
 void check_euler_sum(CheckRun& run) {
@@ -216,14 +206,8 @@ void check_euler_sum(CheckRun& run) {
   }
   const long long truth = run.points.empty() ? 0 : 1;
   if (sum == truth) return;
-  run.report.findings.push_back({3,
-                                 FindingReason::kWrongCounts,
-                                 false,
-                                 kEulerClause,
-                                 std::nullopt,
-                                 {},
-                                 "an Euler sum of " + std::to_string(sum),
-                                 "it is " + std::to_string(truth)});
+  run.find_whole(3, FindingReason::kWrongCounts, kEulerClause, "an Euler sum of " + std::to_string(sum),
+                 "it is " + std::to_string(truth));
 }
 
 }  // namespace flowcert::certify

@@ -271,17 +271,24 @@ std::optional<Placement> placement_of(CheckRun& run, const std::vector<PointId>&
   return std::nullopt;
 }
 
+NamedTarget named_target(CheckRun& run, const ClaimedTarget& target) {
+  if (target.is_infinity) return {true, std::nullopt, Fit::kWhole};
+  const std::optional<Placement> place = placement_of(run, class_names(run.points, target.contact));
+  if (!place) return {false, std::nullopt, Fit::kOther};
+  return {true, place->record, place->fit};
+}
+
 void place_points(CheckRun& run) {
   bool has_positions = false;
   for (std::size_t k = 0; k < run.placed.size(); ++k) {
-    run.tell(2, k, run.placed.size());
+    run.show_progress(2, k, run.placed.size());
     PlacedPoint& placed = run.placed[k];
     if (!placed.is_well_formed) continue;
     if (!placed.names.empty()) {
       placed.place = placement_of(run, placed.names);
       continue;
     }
-    run.report.is_exact = run.report.is_exact && is_exact(*run.claim.points[k].center);
+    run.note_exactness(is_exact(*run.claim.points[k].center));
     has_positions = true;
   }
   if (has_positions) ByPosition(run).place_all();

@@ -1,5 +1,8 @@
-// Level 5 for pockets, and level 3 for the counts beside them (FC-CLAIM-18). A claimed pocket is told by its maxima.
+// Level 5 for pockets, and level 3 for the counts beside them (FC-CLAIM-18). Its maxima identify a claimed pocket.
 // What is claimed exactly is compared exactly, and no perturbation excuses a difference.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -40,7 +43,7 @@ class ClaimedLandscape {
       run_.leave_unjudged("neighbours of pockets, and what mouths are between, because not all pockets are right");
     }
     for (std::size_t k = 0; k < claimed_.pockets.size(); ++k) {
-      run_.tell(5, k, claimed_.pockets.size());
+      run_.show_progress(5, k, claimed_.pockets.size());
       if (number_of_[k]) check_pocket(k, truth_.pockets[*number_of_[k]]);
     }
   }
@@ -61,10 +64,13 @@ class ClaimedLandscape {
     for (std::uint32_t n = 0; n < truth_.pockets.size(); ++n) {
       if (is_claimed[n]) continue;
       const std::uint32_t first = truth_.pockets[n].maxima.front();
-      run_.find_whole(5, FindingReason::kWrongPocket, kPocketClause, "no such pocket",
-                      "a pocket of " + count_text(truth_.pockets[n].maxima.size(), "maximum", "maxima") + ", with " +
-                          stationary_text(run_.truth, first));
-      set_contact_of_finding(first);
+      run_.find_unclaimed(first,
+                          {.level = 5,
+                           .reason = FindingReason::kWrongPocket,
+                           .clause = kPocketClause,
+                           .claimed = "no such pocket",
+                           .truth = "a pocket of " + count_text(truth_.pockets[n].maxima.size(), "maximum", "maxima") +
+                                    ", with " + stationary_text(run_.truth, first)});
       all_are_matched_ = false;
     }
   }
@@ -73,7 +79,7 @@ class ClaimedLandscape {
     std::set<std::uint32_t> maxima;
     for (const auto& contact : claimed_.pockets[k].maxima) {
       const auto record = record_of(contact);
-      if (!record || !(run_.index(*record) == StationaryIndex{3, 3})) {
+      if (!record || run_.index(*record) != kMaximum) {
         find(k, FindingReason::kWrongPocket, "FC-POCK-01", "a maximum " + names_text(contact), "it is no maximum");
         all_are_matched_ = false;
         return std::nullopt;
@@ -204,7 +210,7 @@ class ClaimedLandscape {
     const double area = run_.truth.area(record);
     if (is_right_area(*mouth.area, area)) return;
     find(k, FindingReason::kWrongPocket, "FC-POCK-11",
-         "a mouth " + names_text(mouth.at.contact) + " of area " + double_text(*mouth.area),
+         "a mouth " + names_text(mouth.at.contact) + " of area " + double_text(mouth.area->number),
          "its area is about " + number_text(area));
   }
 
@@ -220,13 +226,13 @@ class ClaimedLandscape {
 
   void check_difference_of_squares(std::size_t k, const Pocket& truth) {
     const ClaimedNumber& claimed = *claimed_.pockets[k].difference_of_squares;
-    run_.report.is_exact = run_.report.is_exact && claimed.is_exact;
+    run_.note_exactness(claimed.is_exact);
     const Rational top = value(truth.peaks.front()), difference = top - value(truth.highest_mouth);
     if (claimed.value == difference) return;
     const Rational off = abs(Rational(claimed.value - difference));
     const bool is_near = off <= Rational(run_.options.tolerance) * top || rounds_alike(claimed.value, difference);
     if (!claimed.is_exact && is_near) return;
-    find(k, off <= Rational(kRoundingPart) * top ? FindingReason::kRounding : FindingReason::kWrongPocket, "FC-POCK-05",
+    find(k, rounding_or(FindingReason::kWrongPocket, off <= Rational(kRoundingPart) * top), "FC-POCK-05",
          "a difference of squares of " + number_text(claimed), "it is " + number_text(difference));
   }
 
@@ -243,7 +249,7 @@ class ClaimedLandscape {
       if (nearest_double(claimed.number->value) == depth) return;
       if (std::isfinite(radius) && off <= Rational(run_.options.tolerance) * Rational(radius)) return;
     }
-    find(k, FindingReason::kWrongPocket, "FC-POCK-11", "depth " + double_text(claimed),
+    find(k, FindingReason::kWrongPocket, "FC-POCK-11", "depth " + double_text(claimed.number),
          "the depth is " + number_text(depth));
   }
 
@@ -264,7 +270,7 @@ class ClaimedLandscape {
     const ClaimedDouble& claimed = *claimed_.pockets[k].volume;
     const double nearest = run_.truth.nearest_volume_of(truth.cell);
     const bool is_exact = claimed.number && claimed.number->is_exact;
-    run_.report.is_exact = run_.report.is_exact && is_exact;
+    run_.note_exactness(is_exact);
     if (!claimed.number && std::isinf(nearest)) return;
     if (!is_exact && claimed.number && nearest_double(claimed.number->value) == nearest) return;
     Rational volume = 0;
@@ -272,8 +278,8 @@ class ClaimedLandscape {
     const ValueMatch match =
         claimed.number ? match_volume(*claimed.number, volume, run_.options.tolerance) : ValueMatch::kOff;
     if (!is_wrong(match)) return;
-    find(k, match == ValueMatch::kRounding ? FindingReason::kRounding : FindingReason::kWrongVolume, "FC-POCK-03",
-         "volume " + double_text(claimed), "the volume is " + number_text(volume));
+    find(k, rounding_or(FindingReason::kWrongVolume, match), "FC-POCK-03", "volume " + double_text(claimed.number),
+         "the volume is " + number_text(volume));
   }
 
   // FC-POCK-06.
@@ -312,10 +318,9 @@ class ClaimedLandscape {
       const ExactSphere sphere = run_.truth.sphere(record);
       const ValueScale scale(sphere, run_.options.tolerance);
       if (one.center) {
-        run_.report.is_exact = run_.report.is_exact && is_exact(*one.center);
-        const ValueMatch match = match_position(*one.center, sphere.center, scale);
+        const ValueMatch match = run_.match(*one.center, sphere.center, scale);
         if (is_wrong(match)) {
-          return Complaint{reason_of(match), "at " + position_text(*one.center),
+          return Complaint{rounding_or(FindingReason::kWrongPocket, match), "at " + position_text(*one.center),
                            "it is at " + position_text(sphere.center)};
         }
       }
@@ -329,15 +334,16 @@ class ClaimedLandscape {
     const ExactSphere sphere = run_.truth.sphere(record);
     const ValueScale scale(sphere, run_.options.tolerance);
     const auto complain = [&](ValueMatch match, const std::string& claimed) {
-      return Complaint{reason_of(match), claimed, "the squared radius is " + number_text(sphere.squared_radius)};
+      return Complaint{rounding_or(FindingReason::kWrongPocket, match), claimed,
+                       "the squared radius is " + number_text(sphere.squared_radius)};
     };
     if (squared_radius) {
-      run_.report.is_exact = run_.report.is_exact && squared_radius->is_exact;
+      run_.note_exactness(squared_radius->is_exact);
       const ValueMatch match = match_squared_distance(*squared_radius, sphere.squared_radius, scale);
       if (is_wrong(match)) return complain(match, "a squared radius of " + number_text(*squared_radius));
     }
     if (!radius) return std::nullopt;
-    run_.report.is_exact = run_.report.is_exact && (squared_radius || (radius->number && radius->number->is_exact));
+    run_.note_exactness(squared_radius || (radius->number && radius->number->is_exact));
     const double nearest = geometry::nearest_difference_of_roots(sphere.squared_radius, 0);
     if (!radius->number && std::isinf(nearest)) return std::nullopt;
     if (radius->number && !radius->number->is_exact && nearest_double(radius->number->value) == nearest) {
@@ -345,7 +351,8 @@ class ClaimedLandscape {
     }
     const ValueMatch match =
         radius->number ? match_distance(*radius->number, sphere.squared_radius, scale) : ValueMatch::kOff;
-    return is_wrong(match) ? std::optional(complain(match, "a radius of " + double_text(*radius))) : std::nullopt;
+    return is_wrong(match) ? std::optional(complain(match, "a radius of " + double_text(radius->number)))
+                           : std::nullopt;
   }
 
   std::optional<Complaint> complaint_about_radius(const ClaimedRadius& claimed, const Records& truth) {
@@ -368,12 +375,6 @@ class ClaimedLandscape {
 
   // ---- Findings ----
 
-  static FindingReason reason_of(ValueMatch match) {
-    return match == ValueMatch::kRounding ? FindingReason::kRounding : FindingReason::kWrongPocket;
-  }
-  static std::string double_text(const ClaimedDouble& claimed) {
-    return claimed.number ? number_text(*claimed.number) : "no double";
-  }
   static std::string number_text(double value) {
     return std::isinf(value) ? "beyond the doubles" : certify::number_text(Rational(value));
   }
@@ -391,14 +392,13 @@ class ClaimedLandscape {
 
   void find(std::size_t k, FindingReason reason, const std::string& clause, const std::string& claimed,
             const std::string& truth) {
-    run_.find_whole(5, reason, clause, "pocket " + std::to_string(k) + (claimed.empty() ? "" : ", " + claimed), truth);
-    run_.report.findings.back().contact = claimed_.pockets[k].maxima.front();
-    run_.report.findings.back().line = claimed_.line;
-  }
-  void set_contact_of_finding(std::uint32_t record) {
-    const auto contact = run_.truth.contact(record);
-    run_.report.findings.back().contact.assign(contact.begin(), contact.end());
-    run_.report.findings.back().record = record;
+    run_.report.findings.push_back({.level = 5,
+                                    .reason = reason,
+                                    .clause = clause,
+                                    .line = claimed_.line,
+                                    .contact = claimed_.pockets[k].maxima.front(),
+                                    .claimed = "pocket " + std::to_string(k) + (claimed.empty() ? "" : ", " + claimed),
+                                    .truth = truth});
   }
 
   CheckRun& run_;
@@ -411,13 +411,9 @@ class ClaimedLandscape {
 template <std::size_t N>
 void check_counts(CheckRun& run, const std::array<std::size_t, N>& claimed, const std::array<std::size_t, N>& truth,
                   const std::string& what) {
-  const auto text = [](const std::array<std::size_t, N>& counts) {
-    std::string words;
-    for (const std::size_t count : counts) words.append(words.empty() ? "" : " ").append(std::to_string(count));
-    return words;
-  };
   if (claimed == truth) return;
-  run.find_whole(3, FindingReason::kWrongCounts, "FC-CLAIM-18", text(claimed) + " " + what, "there are " + text(truth));
+  run.find_whole(3, FindingReason::kWrongCounts, "FC-CLAIM-18", fmt::format("{} {}", fmt::join(claimed, " "), what),
+                 fmt::format("there are {}", fmt::join(truth, " ")));
 }
 
 }  // namespace

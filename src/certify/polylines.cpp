@@ -17,7 +17,6 @@ namespace flowcert::certify {
 namespace {
 
 constexpr char kPolylineClause[] = "FC-CLAIM-08";
-constexpr StationaryIndex kMaximum{3, 3};
 
 // What is wrong with a polyline, and in which segment.
 struct Difference {
@@ -58,15 +57,13 @@ class Polylines {
 
  private:
   void report(std::size_t k, std::size_t side, const Difference& found) {
-    const std::string where = ", side " + std::to_string(side) + ", ";
+    const std::string where = "side " + std::to_string(side) + ", ";
     if (found.is_wrong) {
-      run_.find(5, found.by_rounding ? FindingReason::kRounding : FindingReason::kWrongPolyline, kPolylineClause, k,
-                found.truth);
-      run_.report.findings.back().claimed += where + found.claimed;
+      run_.find(5, rounding_or(FindingReason::kWrongPolyline, found.by_rounding), kPolylineClause, k, found.truth,
+                where + found.claimed);
     } else if (!variation_.empty()) {
-      run_.vary(5, FindingReason::kSymbolicPerturbation, "FC-CLAIM-07", k, variation_);
-      run_.report.findings.back().claimed +=
-          where + std::to_string((*run_.claim.points[k].u2)[side].size()) + " segments";
+      run_.vary(5, FindingReason::kSymbolicPerturbation, "FC-CLAIM-07", k, variation_,
+                where + std::to_string((*run_.claim.points[k].u2)[side].size()) + " segments");
     }
   }
 
@@ -84,7 +81,7 @@ class Polylines {
       if (variation_.empty()) {
         variation_ = std::to_string(done_) + " segments, to a " + stationary_text(run_.truth, y);
       }
-      if (run_.index(y) == StationaryIndex{2, 2}) {
+      if (run_.index(y) == kIndex2) {
         truth = orbit_beyond(y);
         continue;
       }
@@ -96,7 +93,7 @@ class Polylines {
 
   // Whether the claim goes on beyond the end of a path, for which it takes so many segments.
   [[nodiscard]] bool goes_on(const TruePath& truth, std::size_t taken) const {
-    return rest_.size() > taken && truth.limit && !(run_.index(*truth.limit) == kMaximum);
+    return rest_.size() > taken && truth.limit && run_.index(*truth.limit) != kMaximum;
   }
 
   // The one of the two orbits of an index-2 point whose first end is as the claim goes on, or is nearer to that.
@@ -131,7 +128,7 @@ class Polylines {
     return found;
   }
 
-  // A position in decimals does not tell where the flow goes on, and infinity does not tell in which direction.
+  // Where the flow goes on is not known from a position in decimals, and infinity gives no direction.
   Difference stop_judging(std::size_t y) {
     const ClaimedSegment& segment = rest_.front();
     const RationalPoint position = run_.truth.sphere(y).center;
@@ -158,14 +155,10 @@ class Polylines {
   Difference difference_of_limits(const ClaimedPoint& point, std::size_t side) {
     if (!is_end_known_ || !point.successors || !point.successors_by_side) return {};
     const ClaimedTarget& target = point.successors->at(side);
-    std::optional<std::size_t> claimed;
-    if (!target.is_infinity) {
-      const auto place = placement_of(run_, class_names(run_.points, target.contact));
-      if (!place) return {};  // wrong on level 4
-      claimed = place->record;
-    }
-    if (claimed == end_) return {};
-    return wrong("the limit " + (target.is_infinity ? "infinity" : names_text(target.contact)),
+    const NamedTarget claimed = named_target(run_, target);
+    if (!claimed.is_known) return {};  // wrong on level 4
+    if (claimed.limit == end_) return {};
+    return wrong("the limit " + target_text(target),
                  "the polyline goes to " + (end_ ? "a " + stationary_text(run_.truth, *end_) : "infinity"));
   }
 
@@ -217,8 +210,7 @@ class Polylines {
   }
 
   ValueMatch matched(const ClaimedPosition& claimed, const RationalPoint& truth) {
-    run_.report.is_exact = run_.report.is_exact && is_exact(claimed);
-    return match_position(claimed, truth, *scale_);
+    return run_.match(claimed, truth, *scale_);
   }
 
   CheckRun& run_;
@@ -234,19 +226,11 @@ class Polylines {
 
 bool check_polylines(CheckRun& run) {
   Polylines polylines(run);
-  bool judged = false;
-  for (std::size_t k = 0; k < run.placed.size(); ++k) {
-    run.tell(5, k, kPartsOfLevel5 * run.placed.size());
-    const ClaimedPoint& point = run.claim.points[k];
-    if (!point.u2 || !run.can_follow(k)) continue;
-    if (run.perturbed.contains(run.placed[k].place->record)) {
-      run.leave_unjudged("polylines of the points that a perturbation makes of stationary points");
-      continue;
-    }
+  return run.judge_each(5, 0, kPartsOfLevel5, [&](std::size_t k) {
+    if (!run.claim.points[k].u2 || !run.can_follow(k, "polylines")) return false;
     polylines.check(k);
-    judged = true;
-  }
-  return judged;
+    return true;
+  });
 }
 
 }  // namespace flowcert::certify

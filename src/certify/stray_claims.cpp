@@ -22,10 +22,6 @@ struct Fault {
   std::string words;
 };
 
-FindingReason rounding_or(FindingReason otherwise, bool by_rounding) {
-  return by_rounding ? FindingReason::kRounding : otherwise;
-}
-
 Fault not_cospherical(const PointSet& points, const std::vector<PointId>& names, const ExactSphere& sphere) {
   bool by_rounding = true;
   PointId witness = names.back();
@@ -122,9 +118,6 @@ std::vector<WrongValue> wrong_values(CheckRun& run, const ClaimedPoint& point, s
   return wrong;
 }
 
-// number: std::optional or Boxed.
-std::string double_text(const auto& number) { return number ? number_text(*number) : "no double"; }
-
 // The doubles that are claimed beside exact values are these values in decimals (FC-NUM-02, FC-CLAIM-05). There is none
 // exactly where no double is near.
 std::vector<WrongValue> wrong_doubles(CheckRun& run, const ClaimedPoint& point, std::size_t record) {
@@ -208,18 +201,16 @@ bool has_right_values(CheckRun& run, std::size_t k, std::size_t record) {
 
 void check_values(CheckRun& run, std::size_t k) {
   const ClaimedPoint& point = run.claim.points[k];
-  for (const WrongValue& value : wrong_doubles(run, point, run.placed[k].place->record)) {
-    run.find(2, value.match == ValueMatch::kRounding ? FindingReason::kRounding : FindingReason::kWrongPosition,
-             "FC-NUM-02", k, value.truth);
-    run.report.findings.back().claimed += ", " + value.claimed;
-  }
+  const std::size_t record = run.placed[k].place->record;
+  const auto find = [&](const std::vector<WrongValue>& wrong, const char* clause) {
+    for (const auto& [match, claimed, truth] : wrong) {
+      run.find(2, rounding_or(FindingReason::kWrongPosition, match), clause, k, truth, claimed);
+    }
+  };
+  find(wrong_doubles(run, point, record), "FC-NUM-02");
   if (!point.center && !point.distance && !point.squared_distance) return;
-  run.report.is_exact = run.report.is_exact && is_exact_throughout(point);
-  for (const WrongValue& value : wrong_values(run, point, run.placed[k].place->record)) {
-    run.find(2, value.match == ValueMatch::kRounding ? FindingReason::kRounding : FindingReason::kWrongPosition,
-             "FC-OUT-01", k, value.truth);
-    run.report.findings.back().claimed += ", " + value.claimed;
-  }
+  run.note_exactness(is_exact_throughout(point));
+  find(wrong_values(run, point, record), "FC-OUT-01");
 }
 
 }  // namespace flowcert::certify

@@ -3,6 +3,9 @@
 // Each claimed piece must be a true one, and each true piece must be claimed once. There are two permitted
 // variations. A claim may leave out the pieces beyond a Voronoi vertex, which a perturbation would not make. Or it
 // may add pieces beyond a regular stationary point, which a perturbation might make.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -32,8 +35,7 @@ using Triangle = std::array<Each, 3>;
 // For each segment: whether a claim must have it. It must if it is reached from z without passing a Voronoi vertex, or
 // if z is a maximum.
 std::vector<bool> determined_segments(const StableSet& set, const RationalPoint& z, StationaryIndex index) {
-  const bool is_maximum = index == StationaryIndex{3, 3};
-  std::vector<bool> determined(set.segments.size(), is_maximum);
+  std::vector<bool> determined(set.segments.size(), index == kMaximum);
   if (index.hull_dimension == 3) return determined;
   std::multimap<RationalPoint, std::size_t> by_front;
   for (std::size_t i = 0; i < set.segments.size(); ++i) by_front.emplace(set.segments[i].front, i);
@@ -82,8 +84,7 @@ class Surfaces {
 
  private:
   void find(std::size_t k, FindingReason reason, const std::string& claimed, const std::string& truth) {
-    run_.find(5, reason, kSurfaceClause, k, truth);
-    run_.report.findings.back().claimed += ", " + claimed;
+    run_.find(5, reason, kSurfaceClause, k, truth, claimed);
   }
 
   // A claim may leave out what lies beyond a Voronoi vertex, and add pieces beyond a regular back.
@@ -91,8 +92,7 @@ class Surfaces {
     const StableSummary truth = run_.truth.stable_summary(record);
     const auto judge = [&](bool is_permitted, const std::string& what, const std::string& right) {
       if (is_permitted) {
-        run_.vary(5, FindingReason::kSymbolicPerturbation, kSurfaceClause, k, "it has " + right);
-        run_.report.findings.back().claimed += ", " + what;
+        run_.vary(5, FindingReason::kSymbolicPerturbation, kSurfaceClause, k, "it has " + right, what);
       } else {
         find(k, FindingReason::kWrongSurface, what, "it has " + right);
       }
@@ -160,11 +160,6 @@ class Surfaces {
     boundaries_.check(k, edges, 5, true);
   }
 
-  ValueMatch matched(const ClaimedPosition& claimed, const RationalPoint& truth, const ValueScale& scale) {
-    run_.report.is_exact = run_.report.is_exact && is_exact(claimed);
-    return match_position(claimed, truth, scale);
-  }
-
   // Whether a claim must have a true piece.
   using IsOwed = std::function<bool(std::size_t)>;
   static IsOwed owed(const std::vector<bool>& determined, std::size_t pieces_each) {
@@ -185,7 +180,7 @@ class Surfaces {
       return;
     }
     if (!found.strange.empty()) {
-      find(k, found.is_rounding ? FindingReason::kRounding : FindingReason::kWrongSurface, text(found.strange.front()),
+      find(k, rounding_or(FindingReason::kWrongSurface, found.is_rounding), text(found.strange.front()),
            "no such " + what + " is part of it (in all " + std::to_string(found.strange.size()) + " such claims)");
       return;
     }
@@ -219,7 +214,7 @@ class Surfaces {
     const Comparison found = segments.compare(
         is_owed, [&](std::size_t c) { return regular && may_be_added(claimed.segments[c], *regular); });
     judge(k, found, "segment", is_owed, [&](std::size_t c) { return segment_text(claimed.segments[c]); });
-    const bool is_maximum = run_.index(run_.placed[k].place->record) == StationaryIndex{3, 3};
+    const bool is_maximum = run_.index(run_.placed[k].place->record) == kMaximum;
     const IsOwed of_maximum = [is_maximum](std::size_t) { return is_maximum; };
     PieceMatcher intervals(names_of(claimed.intervals, set.intervals, polygon), [&](std::size_t c, std::size_t i) {
       return match_interval(claimed.intervals[c], set.intervals[i], scale);
@@ -249,14 +244,14 @@ class Surfaces {
                       (!piece.back_contact || is(*piece.back_contact, truth.back_contact)) &&
                       (piece.back_kind.empty() || piece.back_kind == back_kind_text(truth.back_kind));
     if (!same) return ValueMatch::kOff;
-    return std::max(matched(piece.front, truth.front, scale), matched(piece.back, truth.back, scale));
+    return std::max(run_.match(piece.front, truth.front, scale), run_.match(piece.back, truth.back, scale));
   }
 
   ValueMatch match_interval(const ClaimedInterval& piece, const BackwardInterval& truth, const ValueScale& scale) {
     if (piece.back_is_stationary.value_or(truth.back_is_stationary) != truth.back_is_stationary) {
       return ValueMatch::kOff;
     }
-    return std::max(matched(piece.front, truth.front, scale), matched(piece.back, truth.back, scale));
+    return std::max(run_.match(piece.front, truth.front, scale), run_.match(piece.back, truth.back, scale));
   }
 
   // Whether the segment goes back from a front that is no farther from its samples than a regular stationary point. It
@@ -309,9 +304,7 @@ class Surfaces {
   }
 
   static std::string places_text(const std::vector<std::size_t>& places) {
-    std::string text;
-    for (const std::size_t place : places) text.append(text.empty() ? "" : " ").append(std::to_string(place));
-    return text.empty() ? "of no number" : shortened(std::move(text), kLongestList);
+    return places.empty() ? "of no number" : shortened(fmt::format("{}", fmt::join(places, " ")), kLongestList);
   }
 
   // For each corner of the triangle take the larger squared distance to another corner. This is the least of them.
@@ -328,7 +321,7 @@ class Surfaces {
   ValueMatch match_corners(std::span<const ClaimedPosition> claimed, std::span<const RationalPoint> truth,
                            const ValueScale& scale) {
     return match_ring(claimed, truth, [&](const ClaimedPosition& corner, const RationalPoint& other) {
-      return matched(corner, other, scale);
+      return run_.match(corner, other, scale);
     });
   }
 
@@ -365,7 +358,7 @@ class Surfaces {
   Boundaries& boundaries_;
 };
 
-bool is_told(const ClaimedPoint& point) {
+bool has_stable_set(const ClaimedPoint& point) {
   const bool has_summary = point.stable && (point.stable->segments || point.stable->has_vertex ||
                                             point.stable->has_interval || point.stable->walk);
   return has_summary || point.skeleton || point.surface;
@@ -376,18 +369,11 @@ bool is_told(const ClaimedPoint& point) {
 bool check_surfaces(CheckRun& run) {
   Boundaries boundaries(run);
   Surfaces surfaces(run, boundaries);
-  bool judged = false;
-  for (std::size_t k = 0; k < run.placed.size(); ++k) {
-    run.tell(5, run.placed.size() + k, kPartsOfLevel5 * run.placed.size());
-    const ClaimedPoint& point = run.claim.points[k];
-    if (!is_told(point) || !run.can_follow(k)) continue;
-    if (run.perturbed.contains(run.placed[k].place->record)) {
-      run.leave_unjudged("stable sets of the points that a perturbation makes of stationary points");
-      continue;
-    }
+  const bool judged = run.judge_each(5, 1, kPartsOfLevel5, [&](std::size_t k) {
+    if (!has_stable_set(run.claim.points[k]) || !run.can_follow(k, "stable sets")) return false;
     surfaces.check(k);
-    judged = true;
-  }
+    return true;
+  });
   boundaries.conclude();
   return judged;
 }

@@ -101,7 +101,7 @@ class UnstableSets {
       all = all && is_exact(segment.start);
       note(segment.end);
     }
-    run_.report.is_exact = run_.report.is_exact && all;
+    run_.note_exactness(all);
   }
 
   ValueMatch match_corner(const ClaimedCorner& claimed, const SurfaceCorner& truth, const ValueScale& scale) const {
@@ -155,8 +155,7 @@ class UnstableSets {
   void report(std::size_t k, const Comparison& found, const std::string& what, const std::vector<Claimed>& claimed,
               const std::vector<True>& truth, const Text& text) {
     if (!found.strange.empty()) {
-      find(k, found.is_rounding ? FindingReason::kRounding : FindingReason::kWrongUnstableSet,
-           text(claimed[found.strange.front()]),
+      find(k, rounding_or(FindingReason::kWrongUnstableSet, found.is_rounding), text(claimed[found.strange.front()]),
            "there is none, or it is claimed already (in all " + std::to_string(found.strange.size()) + " such " + what +
                ")");
       return;
@@ -169,8 +168,7 @@ class UnstableSets {
   }
 
   void find(std::size_t k, FindingReason reason, const std::string& claimed, const std::string& truth) {
-    run_.find(5, reason, "FC-UNST-04", k, truth);
-    run_.report.findings.back().claimed += ", " + claimed;
+    run_.find(5, reason, "FC-UNST-04", k, truth, claimed);
   }
 
   CheckRun& run_;
@@ -180,18 +178,11 @@ class UnstableSets {
 
 bool check_unstable_sets(CheckRun& run) {
   UnstableSets sets(run);
-  bool judged = false;
-  for (std::size_t k = 0; k < run.placed.size(); ++k) {
-    run.tell(5, 4 * run.placed.size() + k, kPartsOfLevel5 * run.placed.size());
-    if (!run.claim.points[k].u1 || !run.can_follow(k)) continue;
-    if (run.perturbed.contains(run.placed[k].place->record)) {
-      run.leave_unjudged("unstable sets of the points that a perturbation makes of stationary points");
-      continue;
-    }
+  return run.judge_each(5, 4, kPartsOfLevel5, [&](std::size_t k) {
+    if (!run.claim.points[k].u1 || !run.can_follow(k, "unstable sets")) return false;
     sets.check(k);
-    judged = true;
-  }
-  return judged;
+    return true;
+  });
 }
 
 }  // namespace flowcert::certify

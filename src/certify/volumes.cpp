@@ -32,13 +32,13 @@ class ClaimedVolumes {
 
   void check_volume(std::size_t k) {
     const ClaimedPoint& point = run_.claim.points[k];
-    run_.report.is_exact = run_.report.is_exact && point.volume->is_exact;
+    run_.note_exactness(point.volume->is_exact);
     judge(k, *point.volume, "volume ");
     if (!point.has_rounded_volume) return;
     if (point.rounded_volume) {
       judge(k, *point.rounded_volume, "volume_double ");
     } else if (std::isfinite(run_.truth.nearest_volume(run_.placed[k].place->record))) {
-      find(k, FindingReason::kWrongVolume, "FC-VOL-01", "volume_double no double", "a double is near the volume");
+      find(k, ValueMatch::kOff, "FC-VOL-01", "volume_double no double", "a double is near the volume");
     }
   }
 
@@ -47,32 +47,31 @@ class ClaimedVolumes {
     const auto truth = run_.truth.shares(run_.placed[k].place->record);
     std::map<PointId, Rational> missing(truth.begin(), truth.end());
     for (const ClaimedShare& share : *run_.claim.points[k].shares) {
-      run_.report.is_exact = run_.report.is_exact && share.volume && share.volume->is_exact;
+      run_.note_exactness(share.volume && share.volume->is_exact);
       const PointId name = run_.points.name(run_.points.ordinal_of_row(share.sample));
       const auto true_share = missing.find(name);
       const Rational right = true_share == missing.end() ? Rational(0) : true_share->second;
       const ValueMatch match = match_share(share, right);
       if (true_share != missing.end()) missing.erase(true_share);
       if (!is_wrong(match)) continue;
-      return find(k, reason_of(match), "FC-VOL-02",
-                  "a share of " + (share.volume ? number_text(*share.volume) : "no double") + " in the cell of " +
-                      std::to_string(share.sample),
+      return find(k, match, "FC-VOL-02",
+                  "a share of " + double_text(share.volume) + " in the cell of " + std::to_string(share.sample),
                   right == 0 ? "there is none, or it is claimed already" : "it is " + number_text(right));
     }
     if (missing.empty()) return;
     const auto& [name, share] = *missing.begin();
-    find(k, FindingReason::kWrongVolume, "FC-VOL-02", "no share in the cell of " + std::to_string(name),
+    find(k, ValueMatch::kOff, "FC-VOL-02", "no share in the cell of " + std::to_string(name),
          "it is " + number_text(share) + " (in all " + std::to_string(missing.size()) + " such shares)");
   }
 
   void check_hull() {
     const ClaimedNumber& claimed = *run_.claim.hull_volume;
-    run_.report.is_exact = run_.report.is_exact && claimed.is_exact;
+    run_.note_exactness(claimed.is_exact);
     const Rational truth = run_.truth.hull_volume();
     const ValueMatch match = match_volume(claimed, truth, run_.options.tolerance);
     if (!is_wrong(match)) return;
-    run_.find_whole(5, reason_of(match), "FC-CLAIM-15", "a convex hull of volume " + number_text(claimed),
-                    "its volume is " + number_text(truth));
+    run_.find_whole(5, rounding_or(FindingReason::kWrongVolume, match), "FC-CLAIM-15",
+                    "a convex hull of volume " + number_text(claimed), "its volume is " + number_text(truth));
   }
 
  private:
@@ -87,7 +86,7 @@ class ClaimedVolumes {
       missing.erase(truth);
     }
     if (!missing.empty()) return false;
-    run_.report.is_exact = run_.report.is_exact && nearest.empty();
+    run_.note_exactness(nearest.empty());
     return true;
   }
 
@@ -96,23 +95,18 @@ class ClaimedVolumes {
     return nearest_double(truth) ? ValueMatch::kOff : ValueMatch::kWithin;
   }
 
-  static FindingReason reason_of(ValueMatch match) {
-    return match == ValueMatch::kRounding ? FindingReason::kRounding : FindingReason::kWrongVolume;
-  }
-
   void judge(std::size_t k, const ClaimedNumber& claimed, const std::string& what) {
     const std::size_t record = run_.placed[k].place->record;
     if (is_surely_right(claimed, run_.truth.nearest_volume(record), run_.options.tolerance)) return;
     const Rational truth = run_.truth.volume(record);
     const ValueMatch match = match_volume(claimed, truth, run_.options.tolerance);
     if (!is_wrong(match)) return;
-    find(k, reason_of(match), "FC-VOL-01", what + number_text(claimed), "the volume is " + number_text(truth));
+    find(k, match, "FC-VOL-01", what + number_text(claimed), "the volume is " + number_text(truth));
   }
 
-  void find(std::size_t k, FindingReason reason, const std::string& clause, const std::string& claimed,
+  void find(std::size_t k, ValueMatch match, const std::string& clause, const std::string& claimed,
             const std::string& truth) {
-    run_.find(5, reason, clause, k, truth);
-    run_.report.findings.back().claimed += ", " + claimed;
+    run_.find(5, rounding_or(FindingReason::kWrongVolume, match), clause, k, truth, claimed);
   }
 
   CheckRun& run_;
@@ -122,21 +116,16 @@ class ClaimedVolumes {
 
 bool check_volumes(CheckRun& run) {
   ClaimedVolumes volumes(run);
-  bool judged = run.claim.hull_volume.has_value();
-  if (judged) volumes.check_hull();
-  for (std::size_t k = 0; k < run.placed.size(); ++k) {
-    run.tell(5, 3 * run.placed.size() + k, kPartsOfLevel5 * run.placed.size());
+  const bool has_hull = run.claim.hull_volume.has_value();
+  if (has_hull) volumes.check_hull();
+  const bool has_points = run.judge_each(5, 3, kPartsOfLevel5, [&](std::size_t k) {
     const ClaimedPoint& point = run.claim.points[k];
-    if ((!point.volume && !point.shares) || !run.can_follow(k)) continue;
-    if (run.perturbed.contains(run.placed[k].place->record)) {
-      run.leave_unjudged("volumes of the points that a perturbation makes of stationary points");
-      continue;
-    }
+    if ((!point.volume && !point.shares) || !run.can_follow(k, "volumes")) return false;
     if (point.volume) volumes.check_volume(k);
     if (point.shares) volumes.check_shares(k);
-    judged = true;
-  }
-  return judged;
+    return true;
+  });
+  return has_hull || has_points;
 }
 
 }  // namespace flowcert::certify

@@ -79,12 +79,12 @@ enum class FindingReason {
 struct Finding {
   int level = 0;  // 1 to 5
   FindingReason reason = FindingReason::kMalformed;
-  bool is_variation = false;        // permitted
-  std::string clause;               // "FC-CRIT-05 (b)"
-  std::optional<std::size_t> line;  // of the claim; none for what is missing
-  std::vector<PointId> contact;     // of the critical point: as claimed, or the true one if it is missing
-  std::string claimed;              // in words
-  std::string truth;
+  bool is_variation = false;             // permitted
+  std::string clause = {};               // "FC-CRIT-05 (b)"
+  std::optional<std::size_t> line = {};  // of the claim; none for what is missing
+  std::vector<PointId> contact = {};     // of the critical point: as claimed, or the true one if it is missing
+  std::string claimed = {};              // in words
+  std::string truth = {};
   // False for a variation of which only necessary conditions are known to hold (FC-CLAIM-04).
   bool is_decided = true;
   // The stationary point that it is about, by its place in the truth's list, where one is known.
@@ -107,7 +107,7 @@ struct CheckOptions {
   int highest_level = kLevels;
   // Critical points of other indices are not judged, whatever is claimed of them (FC-CLAIM-12).
   ClaimedIndices indices = {true, true, true, true};
-  // Is told how much of a level is done, and may throw to stop. A level that has nothing to judge may not be told.
+  // Called with how much of a level is done; may throw to stop. A level that has nothing to judge may be left out.
   std::function<void(int level, std::size_t done, std::size_t total)> progress = {};
 };
 
@@ -128,7 +128,7 @@ struct CheckReport {
   ClaimedIndices indices{};                     // the indices that were judged
   std::array<std::size_t, 4> claimed_counts{};  // of critical points by index, as listed
   std::array<std::size_t, 4> true_counts{};
-  Profile profile;  // what the claim tells (FC-CLAIM-22), whatever the verdict
+  Profile profile;  // what the claim covers (FC-CLAIM-22), whatever the verdict
 };
 
 struct TrueSegment {
@@ -150,7 +150,7 @@ struct StableSummary {
   bool has_interval = false;
 };
 
-// All pockets at one persistence (FC-POCK-02 to 08). Points are told by their places in the truth's list.
+// All pockets at one persistence (FC-POCK-02 to 08). Points are places in the truth's list.
 struct TruePockets {
   std::vector<Pocket> pockets;
   std::vector<std::uint32_t> outside;        // maxima, ascending
