@@ -2,14 +2,14 @@
 #include <algorithm>
 #include <array>
 
+#include "certify/claims/claim_formats.h"
 #include "flowcert/check.h"
 #include "fuzz/targets/reading.h"
-#include "io/claims/claim_formats.h"
 #include "io/line_reader.h"
 
 namespace flowcert::fuzz {
 
-using namespace io;
+using namespace certify;
 namespace {
 
 // The name of a row is less than the largest number of rows.

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "flowcert/claim.h"
+#include "flowcert/claimed_number.h"
 #include "flowcert/point_set.h"
 #include "flowcert/rational.h"
 #include "io/layer.h"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The adapter of src/io/README.md, "Add your format", works when it is copied and put in as the text says: it
+# The adapter of src/certify/README.md, "Add your format", works when it is copied and put in as the text says: it
 # builds, reads what the text says that the program prints, and refuses anything else with file and line.
 # CITES: FC-CLAIM-01
 #
@@ -17,22 +17,22 @@ fail() {
   exit 1
 }
 
-mkdir -p "$scratch/io/claims"
+mkdir -p "$scratch/certify/claims"
 awk '
   inside && /^```/ { exit }
   inside { print }
   marked && /^```/ { inside = 1; marked = 0 }
-  $0 == "<!-- example: adapter -->" { marked = 1 }' "$root/src/io/README.md" >"$scratch/io/claims/read_my_claim.cpp"
-[ -s "$scratch/io/claims/read_my_claim.cpp" ] || fail "src/io/README.md has no adapter"
-lines=$(wc -l <"$scratch/io/claims/read_my_claim.cpp")
+  $0 == "<!-- example: adapter -->" { marked = 1 }' "$root/src/certify/README.md" >"$scratch/certify/claims/read_my_claim.cpp"
+[ -s "$scratch/certify/claims/read_my_claim.cpp" ] || fail "src/certify/README.md has no adapter"
+lines=$(wc -l <"$scratch/certify/claims/read_my_claim.cpp")
 [ "$lines" -le 50 ] || fail "the adapter has $lines lines: it should take 50"
 
 # The two other edits that the README names.
 sed 's/^extern const ClaimFormat kCsvClaims;/&\nextern const ClaimFormat kMyClaims;/' \
-  "$root/src/io/claims/claim_formats.h" >"$scratch/io/claims/claim_formats.h"
-sed 's/kFormats = {&/kFormats = {\&kMyClaims, \&/' "$root/src/io/claims/read_claim.cpp" >"$scratch/io/claims/read_claim.cpp"
+  "$root/src/certify/claims/claim_formats.h" >"$scratch/certify/claims/claim_formats.h"
+sed 's/kFormats = {&/kFormats = {\&kMyClaims, \&/' "$root/src/certify/claims/read_claim.cpp" >"$scratch/certify/claims/read_claim.cpp"
 for file in claim_formats.h read_claim.cpp; do
-  grep -q kMyClaims "$scratch/io/claims/$file" || fail "$file is no longer as the README says"
+  grep -q kMyClaims "$scratch/certify/claims/$file" || fail "$file is no longer as the README says"
 done
 
 cat >"$scratch/main.cpp" <<'CPP'
@@ -57,7 +57,7 @@ case "$(sed -n 's/^FLOWCERT_SANITIZE:[A-Z]*=//p' "$build/CMakeCache.txt")" in ON
 case "$(sed -n 's/^FLOWCERT_COVERAGE:[A-Z]*=//p' "$build/CMakeCache.txt")" in ON) flags+=(--coverage) ;; esac
 "$compiler" -std=c++20 -Wall -Wextra -Wconversion -Werror "${flags[@]}" -I "$scratch" -I "$root/src" \
   "${public_headers[@]/#/-I}" \
-  "$scratch/main.cpp" "$scratch/io/claims/read_claim.cpp" "$scratch/io/claims/read_my_claim.cpp" "$library" \
+  "$scratch/main.cpp" "$scratch/certify/claims/read_claim.cpp" "$scratch/certify/claims/read_my_claim.cpp" "$library" \
   -lgmp -lmpfr -lz -lexpat -lcrypto -lfmt -pthread -o "$scratch/reader" || fail "the adapter does not build"
 
 expect() {

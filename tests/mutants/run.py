@@ -115,11 +115,11 @@ LIKELY = {
     "src/certify/pair_differences": ["pair_differences_test"],
     "src/certify/profile": ["profile_test"],
     "src/certify/orbit_difference": ["orbit_difference_test"],
+    "src/certify/claims/read_pocket_claim": ["pocket_findings_test"],
+    "src/certify/claims/pair_claim": ["pair_claim_test"],
+    "src/certify/claims/orbit_claim": ["orbit_difference_test"],
+    "src/certify/claims/": ["read_claim_test", "exchange_keys_test"],
     "src/certify/": ["check_test", "place_findings_test", "perturbed_claims_test"],
-    "src/io/claims/read_pocket_claim": ["pocket_findings_test"],
-    "src/io/claims/pair_claim": ["pair_claim_test"],
-    "src/io/claims/orbit_claim": ["orbit_difference_test"],
-    "src/io/claims/": ["read_claim_test", "exchange_keys_test"],
 }
 
 # Tests that do not reach a folder's code cannot kill its mutants.

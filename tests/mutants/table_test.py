@@ -50,7 +50,7 @@ class Table(unittest.TestCase):
         self.assertEqual(len(faults(GOOD, least_of_judging=1)), 1)
 
     def test_folders(self):
-        for name, folder in (("src/geometry/a.cpp", "geometry"), ("src/io/claims/a.cpp", "io"),
+        for name, folder in (("src/geometry/a.cpp", "geometry"), ("src/certify/claims/a.cpp", "certify"),
                              ("fuzz/judge/a.cpp", "judge"), ("oracle/a.cpp", "oracle"),
                              ("oracle/fast/a.cpp", "oracle")):
             self.assertEqual(table.folder_of({"file": name}), folder)

@@ -17,12 +17,12 @@
 #include <string_view>
 #include <vector>
 
+#include "certify/layer.h"
 #include "flowcert/claim.h"
-#include "io/layer.h"
 #include "io/line_reader.h"
 #include "io/number_text.h"
 
-namespace flowcert::io {
+namespace flowcert::certify {
 
 // ---- JSON ----
 // One value in memory. Numbers stay text, because a claim's decimals must not become doubles.
@@ -201,4 +201,4 @@ inline std::vector<PointId> ids_of(const ExchangeValue& value) {
 // Which input it is, and what has made the file. What made it is not kept.
 void read_input_fields(const ExchangeValue& header, Claim& claim);
 
-}  // namespace flowcert::io
+}  // namespace flowcert::certify

@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <string>
 
-#include "io/claims/claim_formats.h"
+#include "certify/claims/claim_formats.h"
 #include "io/number_text.h"
 
-namespace flowcert::io {
+namespace flowcert::certify {
 namespace {
 
 constexpr std::string_view kInfinity = "inf";
@@ -109,4 +109,4 @@ Claim read_giesen_kuehne(std::string_view text, std::string_view file, bool /*is
 const ClaimFormat kGiesenKuehneClaims = {
     .name = "giesen-kuehne", .recognises = recognises_giesen_kuehne, .read = read_giesen_kuehne};
 
-}  // namespace flowcert::io
+}  // namespace flowcert::certify

@@ -9,10 +9,10 @@
 #include <optional>
 #include <string>
 
-#include "io/claims/claim_formats.h"
+#include "certify/claims/claim_formats.h"
 #include "io/number_text.h"
 
-namespace flowcert::io {
+namespace flowcert::certify {
 namespace {
 
 void expect_columns(std::string_view line, const LinePlace& place) {
@@ -89,4 +89,4 @@ Claim read_csv(std::string_view text, std::string_view file, bool /*is_unlimited
 
 const ClaimFormat kCsvClaims = {.name = "csv", .recognises = recognises_csv, .read = read_csv};
 
-}  // namespace flowcert::io
+}  // namespace flowcert::certify

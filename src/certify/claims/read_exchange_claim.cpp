@@ -11,13 +11,13 @@
 #include <string_view>
 #include <vector>
 
+#include "certify/claims/claim_formats.h"
+#include "certify/claims/exchange_value.h"
 #include "flowcert/claim.h"
-#include "io/claims/claim_formats.h"
-#include "io/claims/exchange_value.h"
 #include "io/line_reader.h"
 #include "io/number_text.h"
 
-namespace flowcert::io {
+namespace flowcert::certify {
 
 namespace {
 
@@ -462,4 +462,4 @@ Claim read_exchange(std::string_view text, std::string_view file, bool /*is_unli
 
 const ClaimFormat kExchangeClaims = {.name = "exchange", .recognises = recognises_exchange, .read = read_exchange};
 
-}  // namespace flowcert::io
+}  // namespace flowcert::certify

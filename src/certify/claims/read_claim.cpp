@@ -2,16 +2,16 @@
 #include <algorithm>
 #include <array>
 
+#include "certify/claims/claim_formats.h"
+#include "certify/layer.h"
 #include "flowcert/claim.h"
 #include "geometry/floating_point.h"
-#include "io/claims/claim_formats.h"
 #include "io/input_bytes.h"
-#include "io/layer.h"
 #include "io/line_reader.h"
 
 namespace flowcert {
 
-using namespace io;
+using namespace certify;
 namespace {
 
 // The order in which formats are tried. The last one takes every file that the others do not recognise.

@@ -8,13 +8,13 @@
 #include <string>
 #include <string_view>
 
+#include "certify/claims/claim_formats.h"
+#include "certify/claims/exchange_value.h"
 #include "flowcert/claim.h"
-#include "io/claims/claim_formats.h"
-#include "io/claims/exchange_value.h"
 #include "io/line_reader.h"
 #include "io/number_text.h"
 
-namespace flowcert::io {
+namespace flowcert::certify {
 
 namespace {
 
@@ -199,4 +199,4 @@ Claim read_pockets(std::string_view text, std::string_view file, bool /*is_unlim
 
 const ClaimFormat kPocketClaims = {.name = "pockets", .recognises = recognises_pockets, .read = read_pockets};
 
-}  // namespace flowcert::io
+}  // namespace flowcert::certify

@@ -1,6 +1,6 @@
 // Expat reads the document. Base64 is decoded here, and zlib decompresses. VTK itself would be 190 MB of packages for
 // two arrays.
-#include "io/claims/vtp_file.h"
+#include "certify/claims/vtp_file.h"
 
 #include <expat.h>
 #include <zlib.h>
@@ -19,7 +19,7 @@
 #include "io/input_bytes.h"
 #include "io/number_text.h"
 
-namespace flowcert::io {
+namespace flowcert::certify {
 
 // ---- Where the parser is ----
 
@@ -468,4 +468,4 @@ ClaimedNumber VtpValues::operator[](std::size_t k) const {
   return real(load<double>(bytes, big_endian_));
 }
 
-}  // namespace flowcert::io
+}  // namespace flowcert::certify

@@ -5,13 +5,14 @@
 
 #include <algorithm>
 
+#include "certify/layer.h"
 #include "geometry/floating_point.h"
 #include "io/json_limits.h"
 #include "io/number_text.h"
 
 namespace flowcert {
 
-using namespace io;
+using namespace certify;
 
 namespace {
 

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <string>
 
-#include "io/claims/claim_formats.h"
-#include "io/claims/vtp_file.h"
+#include "certify/claims/claim_formats.h"
+#include "certify/claims/vtp_file.h"
 #include "io/input_bytes.h"
 
-namespace flowcert::io {
+namespace flowcert::certify {
 namespace {
 
 constexpr const char* kTypeArray = "CriticalType";
@@ -57,4 +57,4 @@ Claim read_vtp(std::string_view bytes, std::string_view file, bool is_unlimited)
 
 const ClaimFormat kVtpClaims = {.name = "vtp", .recognises = recognises_vtp, .read = read_vtp};
 
-}  // namespace flowcert::io
+}  // namespace flowcert::certify

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "certify/layer.h"
 #include "flowcert/write_persistence.h"
 #include "geometry/floating_point.h"
 #include "io/json_limits.h"
@@ -14,7 +15,7 @@
 
 namespace flowcert {
 
-using namespace io;
+using namespace certify;
 
 namespace {
 

@@ -1,15 +1,15 @@
 // The formats of claims, one file each (spec/formats/claims.md); read_claim.cpp tries them in order.
 //
 // To add one: a file that defines a ClaimFormat, its declaration below, and its place in the list of
-// read_claim.cpp. src/io/README.md has an example.
+// read_claim.cpp. src/certify/README.md has an example.
 #pragma once
 
 #include <string_view>
 
+#include "certify/layer.h"
 #include "flowcert/claim.h"
-#include "io/layer.h"
 
-namespace flowcert::io {
+namespace flowcert::certify {
 
 struct ClaimFormat {
   // Becomes Claim::format.
@@ -27,4 +27,4 @@ extern const ClaimFormat kVtpClaims;
 extern const ClaimFormat kGiesenKuehneClaims;
 extern const ClaimFormat kCsvClaims;
 
-}  // namespace flowcert::io
+}  // namespace flowcert::certify

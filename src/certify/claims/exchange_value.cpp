@@ -1,5 +1,5 @@
 // Memory is bounded by a multiple of the text, recursion by the depth.
-#include "io/claims/exchange_value.h"
+#include "certify/claims/exchange_value.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 #include "io/json_limits.h"
 
-namespace flowcert::io {
+namespace flowcert::certify {
 
 // nlohmann's parser calls this for each event. The parser's own trees are not used: they keep numbers as doubles,
 // take the last of two equal keys, and allow any depth.
@@ -179,4 +179,4 @@ void read_input_fields(const ExchangeValue& header, Claim& claim) {
   }
 }
 
-}  // namespace flowcert::io
+}  // namespace flowcert::certify

@@ -11,10 +11,11 @@
 #include <string_view>
 #include <vector>
 
+#include "certify/layer.h"
 #include "flowcert/claim.h"
 #include "io/line_reader.h"
 
-namespace flowcert::io {
+namespace flowcert::certify {
 
 // ---- Encoded bytes ----
 // Binary data is raw or base64, and may hold zlib streams. It is taken from the front, piece by piece.
@@ -119,4 +120,4 @@ class VtpDecoder {
   std::size_t appended_left_;  // how much of the appended data is not yet decoded
 };
 
-}  // namespace flowcert::io
+}  // namespace flowcert::certify
