@@ -148,10 +148,10 @@ REACHED_BY = {
     "certify": OF_JUDGE | {
         "check_mutations_test", "check_test", "direction_claims_test", "direction_findings_test",
         "exchange_keys_test", "incidence_findings_test", "infinity_claims_test", "matching_test",
-        "orbit_difference_test", "pair_claims_test", "pair_differences_test", "perturbed_claims_test",
-        "perturbed_findings_test", "place_findings_test", "pocket_claims_test", "pocket_findings_test",
-        "polyline_findings_test", "profile_test", "stable_claims_test", "stable_findings_test",
-        "unstable_set_findings_test"},
+        "orbit_difference_test", "pair_claim_test", "pair_claims_test", "pair_differences_test",
+        "perturbed_claims_test", "perturbed_findings_test", "place_findings_test", "pocket_claims_test",
+        "pocket_findings_test", "polyline_findings_test", "profile_test", "read_claim_test", "stable_claims_test",
+        "stable_findings_test", "unstable_set_findings_test"},
     "io": OF_JUDGE | {
         "clip_box_test", "clipped_lines_test", "exchange_keys_test", "log_histogram_test", "medial_agreement_test",
         "moved_fields_test", "orbit_difference_test", "oriented_surfaces_test", "pair_claim_test",
