@@ -92,7 +92,7 @@ class SuccessorForest::Branch final : public CourseSource {
 };
 
 void SuccessorForest::flow_from(std::span<const CellIndex> starts, std::span<FlowOperator* const> flows,
-                                const std::function<void(std::size_t)>& progress) {
+                                const Progress& progress) {
   FLOWCERT_REQUIRES(share_);
   if (stretch_of_.empty()) stretch_of_.assign(diagram_.delaunay().finite_count, kNotVisited);
   constexpr std::size_t kPortion = geometry::portion_size(512);

@@ -9,12 +9,12 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "flow/flow_operator.h"
+#include "flowcert/progress.h"
 
 namespace flowcert::flow {
 
@@ -46,9 +46,9 @@ class SuccessorForest {
   SuccessorForest(const Diagram& diagram, bool share) : diagram_(diagram), share_(share) {}
 
   // Flows from many Voronoi vertices, with a thread for each operator. Only with sharing. kNoCell among the starts is
-  // passed over. It tells `progress`, if given, how many starts are begun, one thread at a time.
+  // passed over. The progress counts starts that are begun.
   void flow_from(std::span<const CellIndex> starts, std::span<FlowOperator* const> flows,
-                 const std::function<void(std::size_t)>& progress = {});
+                 const Progress& progress = {});
 
   // The orbit from a Voronoi vertex on: its first stretch, which knows the total and the end. It flows if need be,
   // and counts the visit. The reference holds until the next question.

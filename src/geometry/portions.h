@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <functional>
 #include <mutex>
 #include <tuple>
 #include <utility>
 
+#include "flowcert/progress.h"
 #include "geometry/parallel_for.h"
 
 namespace flowcert::geometry {
@@ -29,8 +29,6 @@ constexpr std::size_t portion_size(std::size_t usual) {
 
 class Portions {
  public:
-  using Progress = std::function<void(std::size_t begun)>;
-
   // progress may be empty. It must outlive this.
   Portions(std::size_t count, std::size_t size, const Progress& progress)
       : count_(count), size_(size), progress_(progress) {}
@@ -41,7 +39,7 @@ class Portions {
     const std::scoped_lock lock(telling_);
     const auto portion = take();
     try {
-      if (portion.first < count_) progress_(portion.first);
+      if (portion.first < count_) progress_(portion.first, count_);
     } catch (...) {
       stop();
       throw;
@@ -66,8 +64,7 @@ class Portions {
 
 // Calls use(thread, k) once for each k below the count, on so many threads, which are numbered from 0 on.
 template <class Use>
-void in_portions(unsigned threads, std::size_t count, std::size_t size, const Portions::Progress& progress,
-                 const Use& use) {
+void in_portions(unsigned threads, std::size_t count, std::size_t size, const Progress& progress, const Use& use) {
   threads = std::max(threads, 1U);
   Portions portions(count, size, progress);
   parallel_for(threads, threads, [&](std::size_t thread) {

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <boost/container_hash/hash.hpp>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <unordered_map>
@@ -89,8 +88,7 @@ class MeshBuilder {
 
 }  // namespace
 
-SurfaceMesh surface_mesh(const FlowComplex& complex, std::span<const std::size_t> sets,
-                         const std::function<void(std::size_t, std::size_t)>& progress) {
+SurfaceMesh surface_mesh(const FlowComplex& complex, std::span<const std::size_t> sets, const Progress& progress) {
   const geometry::IeeeDoubles ieee;
   MeshBuilder builder(complex.points());
   for (std::size_t k = 0; k < sets.size(); ++k) {

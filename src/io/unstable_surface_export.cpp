@@ -178,7 +178,7 @@ void UnstableSurfaceExport::Parts::append(const SurfaceCell& cell, std::int64_t 
 }
 
 UnstableSurfaceExport::UnstableSurfaceExport(const FlowComplex& complex, const std::optional<ClipBox>& box,
-                                             const std::string& folder, const ExportProgress& progress,
+                                             const std::string& folder, const Progress& progress,
                                              const std::vector<std::size_t>* records)
     : parts_(std::make_unique<Parts>(folder, box.has_value())) {
   const geometry::IeeeDoubles ieee;

@@ -147,7 +147,7 @@ Json pairs_field(const ViewerContent& content) {
 
 // ---- Manifolds ----
 
-Json s2_field(const ViewerContent& content, const std::function<void(std::size_t, std::size_t)>& progress) {
+Json s2_field(const ViewerContent& content, const Progress& progress) {
   const StableManifolds& s2 = content.complex.stable();
   const SurfaceMesh mesh = surface_mesh(content.complex, content.selection.sets, progress);
   Numbers records, offsets = {0}, triangles;
@@ -255,7 +255,7 @@ std::vector<std::array<double, 3>> visible_orbit(const ViewerContent& content, s
   return line;
 }
 
-Json u2_field(const ViewerContent& content, const std::function<void(std::size_t, std::size_t)>& progress) {
+Json u2_field(const ViewerContent& content, const Progress& progress) {
   const UnstableManifolds& u2 = content.complex.unstable();
   Numbers records, starts, limits;
   LineForest forest;
@@ -336,7 +336,7 @@ Json claim_field(const ViewerContent& content, const ViewerClaim& claim) {
 // ---- The page ----
 
 Json data_of(const FlowComplex& complex, const ViewerOptions& options, const ViewerSelection& selection,
-             const std::function<void(std::size_t, std::size_t)>& progress) {
+             const Progress& progress) {
   const ViewerFrame frame(complex.points());
   const ViewerContent content = {complex, frame, selection};
   Json data = header_fields("flowcert-view", 1, complex.points());
@@ -379,7 +379,7 @@ std::string text_for_script(const Json& data) {
 }  // namespace
 
 ViewerCounts write_viewer_page(std::ostream& out, const FlowComplex& complex, const ViewerOptions& options,
-                               const std::function<void(std::size_t, std::size_t)>& progress) {
+                               const Progress& progress) {
   const geometry::IeeeDoubles ieee;
   constexpr std::string_view kPlace = R"(<script type="application/json" id="flowcert-data">null</script>)";
   constexpr std::string_view kNull = "null</script>";

@@ -115,7 +115,7 @@ double rounded_difference(const FlowComplex& complex, std::size_t low, std::size
 
 // ---- Data sets ----
 
-PolyData critical_point_data(const FlowComplex& complex, const ExportProgress& progress) {
+PolyData critical_point_data(const FlowComplex& complex, const Progress& progress) {
   const geometry::IeeeDoubles ieee;
   const StationaryPoints& stationary = complex.stationary();
   PolyData data;
@@ -148,7 +148,7 @@ PolyData critical_point_data(const FlowComplex& complex, const ExportProgress& p
 namespace {
 
 // All orbits of U2, cut at the box if there is one.
-LineSet lines_of(const FlowComplex& complex, const std::optional<ClipBox>& box, const ExportProgress& progress,
+LineSet lines_of(const FlowComplex& complex, const std::optional<ClipBox>& box, const Progress& progress,
                  const std::vector<std::size_t>* records) {
   const UnstableManifolds& u2 = complex.unstable();
   std::optional<ClippedOrbits> clipped;
@@ -170,8 +170,8 @@ LineSet lines_of(const FlowComplex& complex, const std::optional<ClipBox>& box, 
 
 }  // namespace
 
-PolyData unstable_line_data(const FlowComplex& complex, const std::optional<ClipBox>& box,
-                            const ExportProgress& progress, const std::vector<std::size_t>* records) {
+PolyData unstable_line_data(const FlowComplex& complex, const std::optional<ClipBox>& box, const Progress& progress,
+                            const std::vector<std::size_t>* records) {
   const geometry::IeeeDoubles ieee;
   LineSet set = lines_of(complex, box, progress, records);
   PolyData data;

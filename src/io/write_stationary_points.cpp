@@ -202,7 +202,7 @@ class RecordWriter {
 }  // namespace
 
 void write_stationary_points(std::ostream& out, const FlowComplex& complex, const RecordsToWrite& wanted,
-                             const std::function<void(std::size_t, std::size_t)>& progress) {
+                             const Progress& progress) {
   const geometry::IeeeDoubles ieee;
   const std::size_t count = complex.stationary().size();
   Json header = header_fields("flowcert-stationary-points", 1, complex.points());

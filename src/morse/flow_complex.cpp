@@ -40,7 +40,7 @@ struct FlowComplex::Parts {
   Parts& operator=(const Parts&) = delete;
 
   // For the constructor of a part.
-  [[nodiscard]] std::function<void(std::size_t, std::size_t)> progress_of(FlowComplexPart part) const {
+  [[nodiscard]] flowcert::Progress progress_of(FlowComplexPart part) const {
     if (!progress) return {};
     return [this, part](std::size_t done, std::size_t total) { progress(part, done, total); };
   }

@@ -178,10 +178,7 @@ void StableManifolds::Parts::compute(const Progress& progress) {
   team.reserve(threads);
   for (unsigned k = 0; k < threads; ++k) team.push_back(make_walk());
   shares.resize(team.size());
-  const geometry::Portions::Progress tell = [&](std::size_t begun) {
-    if (progress) progress(begun, sets.size());
-  };
-  geometry::in_portions(threads, order.size(), kProgressStep, tell, [&](std::size_t thread, std::size_t at) {
+  geometry::in_portions(threads, order.size(), kProgressStep, progress, [&](std::size_t thread, std::size_t at) {
     if (at + kAhead < order.size()) {
       stationary.prefetch(record_of(order[at + kAhead]));
       __builtin_prefetch(&sets[order[at + kAhead]], 1);

@@ -218,9 +218,7 @@ std::optional<double> StableVolumes::Parts::rounded_sixth(const BoundedDivisions
 
 void StableVolumes::Parts::round_all(unsigned threads, const Progress& progress) {
   const BoundedDivisions bounded_divisions(diagram, partition);
-  geometry::Portions::Progress tell;
-  if (progress) tell = [&](std::size_t begun) { progress(begun, doubles.size()); };
-  geometry::in_portions(threads, doubles.size(), kVolumesAtATime, tell, [&](std::size_t, std::size_t record) {
+  geometry::in_portions(threads, doubles.size(), kVolumesAtATime, progress, [&](std::size_t, std::size_t record) {
     if (terms_of(record).empty()) return;
     const std::array one = {static_cast<std::uint32_t>(record)};
     if (const auto volume = rounded(bounded_divisions, one)) {

@@ -244,8 +244,7 @@ void add_clusters(const VoronoiComplex& complex, OrderedRecords& records) {
 }
 
 // Threads take parts of the cells, and each has records of its own.
-void add_spatial(const VoronoiComplex& complex, unsigned threads, const Delaunay::Progress& progress,
-                 OrderedRecords& records) {
+void add_spatial(const VoronoiComplex& complex, unsigned threads, const Progress& progress, OrderedRecords& records) {
   const CellIndex count = complex.delaunay().finite_count;
   constexpr auto kPart = static_cast<CellIndex>(geometry::portion_size(1u << 14));
   const std::size_t parts = (count + kPart - 1) / kPart;
@@ -259,9 +258,7 @@ void add_spatial(const VoronoiComplex& complex, unsigned threads, const Delaunay
   std::vector<OrderedRecords> found;
   found.reserve(threads);
   for (unsigned thread = 0; thread < threads; ++thread) found.push_back(records.empty_part(threads));
-  geometry::Portions::Progress tell;
-  if (progress) tell = [&](std::size_t part) { progress(part * kPart, count); };
-  geometry::in_portions(threads, parts, 1, tell, [&](std::size_t thread, std::size_t k) {
+  geometry::in_portions(threads, parts, 1, progress, [&](std::size_t thread, std::size_t k) {
     gabriel.find(cells_of(k), found[thread]);
     add_whole_facets(complex, cells_of(k), found[thread]);
     add_lone_vertices(complex, cells_of(k), found[thread]);
@@ -338,8 +335,7 @@ void StationaryPoints::append(StationaryIndex index, std::span<const PointId> co
   }
 }
 
-StationaryPoints stationary_points(const VoronoiDiagram& voronoi, unsigned threads,
-                                   const Delaunay::Progress& progress) {
+StationaryPoints stationary_points(const VoronoiDiagram& voronoi, unsigned threads, const Progress& progress) {
   const geometry::IeeeDoubles ieee;
   const Diagram& diagram = voronoi.faces();
   OrderedRecords records(diagram.delaunay().ordinals);

@@ -91,7 +91,7 @@ class UnstableManifolds::Parts::Worker {
   }
   // Flows from many Voronoi vertices, with all of these workers. The forest is this one's.
   void flow_from(std::span<const CellIndex> starts, std::span<const std::unique_ptr<Worker>> workers,
-                 const std::function<void(std::size_t)>& progress);
+                 const Progress& progress);
   // The orbit from a first vertex on, alone: returns what it ends at.
   std::uint32_t follow_alone(CellIndex first_vertex) {
     return first_vertex == kNoCell ? count_orbit(nullptr) : count_orbit(&forest_.visit(first_vertex, *flow_));
@@ -176,7 +176,7 @@ Vector3<Rational> UnstableManifolds::Parts::Worker::normal_of(std::size_t saddle
 
 void UnstableManifolds::Parts::Worker::flow_from(std::span<const CellIndex> starts,
                                                  std::span<const std::unique_ptr<Worker>> workers,
-                                                 const std::function<void(std::size_t)>& progress) {
+                                                 const Progress& progress) {
   std::vector<FlowOperator*> flows;
   for (const auto& worker : workers) flows.push_back(worker->flow_.get());
   forest_.flow_from(starts, flows, progress);
@@ -295,9 +295,7 @@ void UnstableManifolds::Parts::compute(const Progress& progress) {
   });
   Worker& leader = *team.front();
   if (options.share) {
-    leader.flow_from(starts, team, [&](std::size_t begun) {
-      if (progress) progress(begun / 2, limits.size());
-    });
+    leader.flow_from(starts, team, progress);
     geometry::in_portions(threads, order.size(), kPortion, {}, [&](std::size_t thread, std::size_t k) {
       for (const std::size_t side : {0U, 1U}) {
         limits[order[k]][side] = team[thread]->follow_in(leader, starts[2 * k + side]);

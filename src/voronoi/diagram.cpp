@@ -11,8 +11,7 @@ namespace flowcert::voronoi {
 namespace {
 
 std::variant<CompactDelaunay, PlanarComplex, VoronoiComplex> make_complex(const Delaunay& delaunay, FilterTally& tally,
-                                                                          unsigned threads,
-                                                                          const Delaunay::Progress& progress) {
+                                                                          unsigned threads, const Progress& progress) {
   CompactDelaunay copy = compact_copy(delaunay, threads);
   if (copy.dimension == 3) return VoronoiComplex(std::move(copy), tally, threads, progress);
   if (copy.dimension == 2) return PlanarComplex(std::move(copy), tally);
@@ -21,7 +20,7 @@ std::variant<CompactDelaunay, PlanarComplex, VoronoiComplex> make_complex(const 
 
 }  // namespace
 
-Diagram::Diagram(const Delaunay& delaunay, FilterTally& tally, unsigned threads, const Delaunay::Progress& progress)
+Diagram::Diagram(const Delaunay& delaunay, FilterTally& tally, unsigned threads, const Progress& progress)
     : complex_(make_complex(delaunay, tally, threads, progress)),
       spatial_(std::get_if<VoronoiComplex>(&complex_)),
       planar_(std::get_if<PlanarComplex>(&complex_)),
@@ -152,15 +151,14 @@ namespace flowcert {
 namespace {
 
 std::unique_ptr<const voronoi::Diagram> made_of(const Delaunay& delaunay, FilterTally* tally, unsigned threads,
-                                                const Delaunay::Progress& progress) {
+                                                const Progress& progress) {
   FilterTally unused;
   return std::make_unique<const voronoi::Diagram>(delaunay, tally != nullptr ? *tally : unused, threads, progress);
 }
 
 }  // namespace
 
-VoronoiDiagram::VoronoiDiagram(const Delaunay& delaunay, FilterTally* tally, unsigned threads,
-                               const Delaunay::Progress& progress)
+VoronoiDiagram::VoronoiDiagram(const Delaunay& delaunay, FilterTally* tally, unsigned threads, const Progress& progress)
     : points_(&delaunay.points()),
       faces_(geometry::in_ieee_doubles([&] { return made_of(delaunay, tally, threads, progress); })) {}
 VoronoiDiagram::~VoronoiDiagram() = default;

@@ -63,7 +63,7 @@ struct PolygonDriver {
 class Diagram {
  public:
   // O(cells).
-  Diagram(const Delaunay& delaunay, FilterTally& tally, unsigned threads = 1, const Delaunay::Progress& progress = {});
+  Diagram(const Delaunay& delaunay, FilterTally& tally, unsigned threads = 1, const Progress& progress = {});
   Diagram(const Diagram&) = delete;
   Diagram& operator=(const Diagram&) = delete;
 

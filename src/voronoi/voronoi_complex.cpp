@@ -61,27 +61,7 @@ bool PlanarComplex::is_diagonal(FacetRef edge) const {
 
 // ---- Points that span R^3 ----
 
-namespace {
-
-// Boost's union-find over 0 … n-1.
-class Partition {
- public:
-  explicit Partition(std::size_t n) : rank_(n, 0), parent_(n), sets_(rank_.data(), parent_.data()) {
-    std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
-  }
-  void unite(std::uint32_t i, std::uint32_t j) { sets_.union_set(i, j); }
-  [[nodiscard]] std::uint32_t find(std::uint32_t i) { return sets_.find_set(i); }
-
- private:
-  std::vector<std::uint8_t> rank_;
-  std::vector<std::uint32_t> parent_;
-  boost::disjoint_sets<std::uint8_t*, std::uint32_t*> sets_;
-};
-
-}  // namespace
-
-VoronoiComplex::VoronoiComplex(CompactDelaunay delaunay, FilterTally& tally, unsigned threads,
-                               const Delaunay::Progress& progress)
+VoronoiComplex::VoronoiComplex(CompactDelaunay delaunay, FilterTally& tally, unsigned threads, const Progress& progress)
     : delaunay_(std::move(delaunay)) {
   FLOWCERT_REQUIRES(delaunay_.dimension == 3);
   compute_signs(tally, threads, progress);
@@ -160,7 +140,7 @@ void VoronoiComplex::compute_signs_of(CellIndex first, CellIndex last, Tetrahedr
 }
 
 // One pass over the cells: their signs, and which neighbours share their sphere.
-void VoronoiComplex::compute_signs(FilterTally& tally, unsigned threads, const Delaunay::Progress& progress) {
+void VoronoiComplex::compute_signs(FilterTally& tally, unsigned threads, const Progress& progress) {
   const CellIndex count = delaunay_.finite_count;
   signs_.resize(count);
   turns_.resize(delaunay_.cells.size());
@@ -169,9 +149,7 @@ void VoronoiComplex::compute_signs(FilterTally& tally, unsigned threads, const D
   const double exact_reach = grid.fits_small() ? grid.exact_reach() : 0;
   constexpr auto kPart = static_cast<CellIndex>(geometry::portion_size(1u << 14));
   std::vector<Found> found((count + kPart - 1) / kPart);
-  geometry::Portions::Progress tell;
-  if (progress) tell = [&](std::size_t part) { progress(part * kPart, count); };
-  geometry::in_portions(threads, found.size(), 1, tell, [&](std::size_t, std::size_t k) {
+  geometry::in_portions(threads, found.size(), 1, progress, [&](std::size_t, std::size_t k) {
     TetrahedronLanes lanes(exact_reach);
     const CellIndex end = std::min(static_cast<CellIndex>(k + 1) * kPart, count);
     for (CellIndex first = static_cast<CellIndex>(k) * kPart; first < end; first += TetrahedronLanes::kLanes) {

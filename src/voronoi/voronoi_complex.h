@@ -54,8 +54,7 @@ class VoronoiComplex {
  public:
   // dimension 3. O(cells), plus sorting what is cospherical. The same for any number of threads. The progress is told
   // how many cells are begun, and of how many.
-  VoronoiComplex(CompactDelaunay delaunay, FilterTally& tally, unsigned threads = 1,
-                 const Delaunay::Progress& progress = {});
+  VoronoiComplex(CompactDelaunay delaunay, FilterTally& tally, unsigned threads = 1, const Progress& progress = {});
 
   [[nodiscard]] const CompactDelaunay& delaunay() const { return delaunay_; }
   // The signs of a finite cell.
@@ -102,7 +101,7 @@ class VoronoiComplex {
   // flags_[cell]: bit i, facet i is interior; bit 4 + i, facet i is a piece; kAlone.
   static constexpr std::uint16_t kAlone = 1u << 8;
 
-  void compute_signs(FilterTally& tally, unsigned threads, const Delaunay::Progress& progress);
+  void compute_signs(FilterTally& tally, unsigned threads, const Progress& progress);
   struct Found {
     std::vector<FacetRef> cospherical;
     FilterTally tally;

@@ -58,7 +58,7 @@ TEST(Portions, HandOutEachNumberOnceAndTellInOrder) {
   static constexpr std::size_t kCount = 10007;
   for (const unsigned threads : {1U, 3U}) {
     std::vector<std::size_t> told;
-    const Portions::Progress tell = [&told](std::size_t begun) { told.push_back(begun); };
+    const Progress tell = [&told](std::size_t begun, std::size_t) { told.push_back(begun); };
     Portions portions(kCount, 100, tell);
     std::vector<std::atomic<int>> calls(kCount);
     parallel_for(threads, threads, [&](std::size_t) {
@@ -74,7 +74,7 @@ TEST(Portions, HandOutEachNumberOnceAndTellInOrder) {
 
 TEST(Portions, AreOverAfterAProgressThatThrows) {
   CITES("FC-NUM-01");
-  const Portions::Progress tell = [](std::size_t begun) {
+  const Progress tell = [](std::size_t begun, std::size_t) {
     if (begun == 20) throw std::runtime_error("stop");
   };
   Portions portions(1000, 10, tell);

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <ostream>
 #include <span>
@@ -16,6 +15,7 @@
 #include <vector>
 
 #include "flowcert/flow_complex.h"
+#include "flowcert/progress.h"
 #include "flowcert/surface_selection.h"
 #include "flowcert/triangle_orientation.h"
 
@@ -33,7 +33,7 @@ struct SurfaceMesh {
 // sets: critical points of index 2, by their numbers in StableManifolds, each once. The stable sets are computed once
 // more. Throws InvalidInput for a coordinate beyond the doubles.
 [[nodiscard]] SurfaceMesh surface_mesh(const FlowComplex& complex, std::span<const std::size_t> sets,
-                                       const std::function<void(std::size_t, std::size_t)>& progress = {});
+                                       const Progress& progress = {});
 
 // PLY (binary, little endian, double coordinates) and OFF (text). Coordinates read back to the same doubles;
 // triangles keep their order. comment: one line.

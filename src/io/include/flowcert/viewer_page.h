@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <ostream>
 #include <span>
@@ -18,6 +17,7 @@
 #include "flowcert/atom_names.h"
 #include "flowcert/flow_complex.h"
 #include "flowcert/pockets.h"
+#include "flowcert/progress.h"
 
 namespace flowcert {
 
@@ -89,6 +89,6 @@ struct ViewerCounts {
 // Writes the page. Makes all parts of the complex, and the surfaces once more. The time is that of the exports.
 // Throws InvalidInput for a surface with a coordinate beyond the doubles.
 ViewerCounts write_viewer_page(std::ostream& out, const FlowComplex& complex, const ViewerOptions& options,
-                               const std::function<void(std::size_t done, std::size_t total)>& progress = {});
+                               const Progress& progress = {});
 
 }  // namespace flowcert

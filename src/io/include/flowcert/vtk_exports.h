@@ -8,7 +8,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -16,6 +15,7 @@
 #include <vector>
 
 #include "flowcert/clip_box.h"
+#include "flowcert/progress.h"
 #include "flowcert/surface.h"
 
 namespace flowcert {
@@ -52,14 +52,12 @@ struct UnstructuredGrid {
 void write_vtp(std::ostream& out, const PolyData& data, const std::string& comment);
 void write_vtu(std::ostream& out, const UnstructuredGrid& data, const std::string& comment);
 
-using ExportProgress = std::function<void(std::size_t done, std::size_t total)>;
-
-[[nodiscard]] PolyData critical_point_data(const FlowComplex& complex, const ExportProgress& progress = {});
+[[nodiscard]] PolyData critical_point_data(const FlowComplex& complex, const Progress& progress = {});
 // With a box, orbits to infinity end where they leave it, and the point data IsClipped marks these ends. Without one
 // their last segment, which has no end, is left out. With records, only those of these stationary points are there, by
 // place in the list, ascending.
 [[nodiscard]] PolyData unstable_line_data(const FlowComplex& complex, const std::optional<ClipBox>& box,
-                                          const ExportProgress& progress = {},
+                                          const Progress& progress = {},
                                           const std::vector<std::size_t>* records = nullptr);
 // mesh: of any critical points of index 2.
 [[nodiscard]] PolyData stable_surface_data(const FlowComplex& complex, SurfaceMesh mesh);

@@ -5,10 +5,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <ostream>
 
 #include "flowcert/flow_complex.h"
+#include "flowcert/progress.h"
 
 namespace flowcert {
 
@@ -38,6 +38,6 @@ struct RecordsToWrite {
 // written. Each record takes a few microseconds for its rationals. Polylines, skeletons, λ-lists,
 // exact volumes and sheets take the time for all their exact numbers. Each thread has one unstable set in memory.
 void write_stationary_points(std::ostream& out, const FlowComplex& complex, const RecordsToWrite& wanted = {},
-                             const std::function<void(std::size_t done, std::size_t total)>& progress = {});
+                             const Progress& progress = {});
 
 }  // namespace flowcert

@@ -6,12 +6,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "flowcert/orbit.h"
+#include "flowcert/progress.h"
 #include "flowcert/stationary_points.h"
 
 namespace flowcert {
@@ -52,9 +52,6 @@ struct RoundedLambdaList {
 // Const access is safe from several threads.
 class FlowLimits {
  public:
-  // It is told now and then how many Voronoi edges and stationary points are done, and may throw to stop.
-  using Progress = std::function<void(std::size_t done, std::size_t total)>;
-
   // stationary is the list of the same diagram. Both must outlive this. The time is in proportion to the faces and to
   // the points that separate limits on them. One thread makes it, because each face waits for those that it flows to.
   FlowLimits(const VoronoiDiagram& diagram, const StationaryPoints& stationary, FlowOptions options = {},

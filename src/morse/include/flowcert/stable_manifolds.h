@@ -8,13 +8,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "flowcert/orbit.h"
+#include "flowcert/progress.h"
 #include "flowcert/rounded_sphere.h"
 #include "flowcert/stationary_points.h"
 
@@ -137,9 +137,6 @@ struct StableStatistics {
 // Const access is safe from several threads. Each of them makes sets with arrays of its own.
 class StableManifolds {
  public:
-  // It is told now and then how many stationary points are done, and may throw to stop.
-  using Progress = std::function<void(std::size_t done, std::size_t total)>;
-
   // stationary is the list of the same diagram. Both must outlive this. The time is in proportion to the segments of
   // all skeletons.
   StableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary, StableOptions options = {},

@@ -9,13 +9,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "flowcert/flow_limits.h"
+#include "flowcert/progress.h"
 #include "flowcert/rational.h"
 
 namespace flowcert {
@@ -23,9 +23,6 @@ namespace flowcert {
 // Const access is safe from several threads.
 class StableVolumes {
  public:
-  // It is told now and then how many stationary points are done, by one thread at a time, and may throw to stop.
-  using Progress = std::function<void(std::size_t done, std::size_t total)>;
-
   // The first three must outlive this. O(cells and points of division), and what exact numbers take where doubles do
   // not suffice. So many threads round, at least 1; one at a time computes exactly.
   StableVolumes(const VoronoiDiagram& diagram, const StationaryPoints& stationary, const FlowLimits& limits,

@@ -69,6 +69,6 @@ class StationaryPoints {
 // O(cells), and sorting what is cospherical. The list is the same for any number of threads, which is at least 1.
 // The progress is told as VoronoiDiagram tells it.
 [[nodiscard]] StationaryPoints stationary_points(const VoronoiDiagram& diagram, unsigned threads = 1,
-                                                 const Delaunay::Progress& progress = {});
+                                                 const Progress& progress = {});
 
 }  // namespace flowcert

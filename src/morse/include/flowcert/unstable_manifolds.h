@@ -7,11 +7,11 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <optional>
 
 #include "flowcert/orbit.h"
+#include "flowcert/progress.h"
 #include "flowcert/rounded_sphere.h"
 #include "flowcert/stationary_points.h"
 
@@ -29,9 +29,6 @@ struct UnstableOptions {
 // Const access is safe from several threads. Each of them flows with arrays of its own.
 class UnstableManifolds {
  public:
-  // It is told now and then how many index-2 points are done, and may throw to stop.
-  using Progress = std::function<void(std::size_t done, std::size_t total)>;
-
   // stationary is the list of the same diagram. Both must outlive this. The time is in proportion to the segments of
   // all orbits; with sharing, only to those of the visited Voronoi vertices.
   UnstableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary, UnstableOptions options = {},

@@ -4,12 +4,12 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <memory>
 
 #include "flowcert/filter_tally.h"
 #include "flowcert/point_set.h"
+#include "flowcert/progress.h"
 
 namespace flowcert {
 
@@ -18,8 +18,6 @@ namespace flowcert {
 // depends on which (spec clause FC-VOR-04).
 class Delaunay {
  public:
-  // It is told now and then how much of the work is done, and may throw to stop it.
-  using Progress = std::function<void(std::size_t done, std::size_t total)>;
   static constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
 
   // Expected O(n log n) for surface samples, O(n^2) at worst. The point set must outlive the triangulation. Throws
@@ -55,10 +53,9 @@ class VoronoiDiagram {
   // O(cells), and sorting what is cospherical. The point set must outlive the diagram; the triangulation need not.
   // The counts are added to the tally, if one is given. Two threads must not use one triangulation here at once,
   // because this numbers the triangulation's cells. The diagram is the same for any number of threads that make it.
-  // The progress is told now and then, from any of these threads, one at a time; it is not told of the end. It may
-  // throw to stop.
+  // The progress is not told of the end.
   explicit VoronoiDiagram(const Delaunay& delaunay, FilterTally* tally = nullptr, unsigned threads = 1,
-                          const Delaunay::Progress& progress = {});
+                          const Progress& progress = {});
   ~VoronoiDiagram();
   VoronoiDiagram(VoronoiDiagram&&) noexcept;
   VoronoiDiagram& operator=(VoronoiDiagram&&) noexcept;
