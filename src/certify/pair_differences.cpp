@@ -7,17 +7,16 @@
 #include <algorithm>
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/edmonds_karp_max_flow.hpp>
-#include <boost/pending/disjoint_sets.hpp>
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
 #include "certify/claimed_geometry.h"
 #include "certify/finding_words.h"
 #include "flowcert/flow_complex.h"
+#include "geometry/disjoint_sets.h"
 #include "geometry/floating_point.h"
 
 namespace flowcert {
@@ -215,12 +214,12 @@ class PartnerSearch {
 // A claimed and a true group are in one set if they can be partners, or each with a third.
 class PartnerSets {
  public:
-  PartnerSets(std::size_t claimed, std::size_t truth, const Partners& partners)
-      : parents_(claimed + truth), ranks_(claimed + truth), sets_(ranks_.data(), parents_.data()), claimed_(claimed) {
-    std::iota(parents_.begin(), parents_.end(), std::size_t{0});
-    for (const auto& [i, k] : partners) sets_.union_set(i, claimed + k);
-    for (std::size_t m = 0; m < parents_.size(); ++m) members_[sets_.find_set(m)].push_back(m);
-    for (const auto& [i, k] : partners) partners_[sets_.find_set(i)].emplace_back(i, k);
+  PartnerSets(std::size_t claimed, std::size_t truth, const Partners& partners) : claimed_(claimed) {
+    geometry::DisjointSets sets(claimed + truth);
+    const auto number = [](std::size_t m) { return static_cast<std::uint32_t>(m); };
+    for (const auto& [i, k] : partners) sets.unite(number(i), number(claimed + k));
+    for (std::size_t m = 0; m < claimed + truth; ++m) members_[sets.find(number(m))].push_back(m);
+    for (const auto& [i, k] : partners) partners_[sets.find(number(i))].emplace_back(i, k);
   }
 
   // Calls visit(places of claimed groups, places of true groups, pairs of them) for each set.
@@ -237,11 +236,9 @@ class PartnerSets {
   }
 
  private:
-  std::vector<std::size_t> parents_, ranks_;
-  boost::disjoint_sets<std::size_t*, std::size_t*> sets_;
   std::size_t claimed_;
-  std::map<std::size_t, std::vector<std::size_t>> members_;
-  std::map<std::size_t, Partners> partners_;
+  std::map<std::uint32_t, std::vector<std::size_t>> members_;
+  std::map<std::uint32_t, Partners> partners_;
 };
 
 // ---- What is left over ----

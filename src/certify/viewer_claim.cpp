@@ -10,6 +10,7 @@
 #include "certify/claimed_geometry.h"
 #include "certify/layer.h"
 #include "geometry/floating_point.h"
+#include "geometry/keep_unique.h"
 #include "geometry/rational_point.h"
 
 namespace flowcert {
@@ -26,8 +27,7 @@ std::vector<std::size_t> ordinals_of(const PointSet& points, const std::vector<P
   for (const PointId row : rows) {
     if (row < points.row_count()) ordinals.push_back(points.ordinal_of_row(row));
   }
-  std::ranges::sort(ordinals);
-  ordinals.erase(std::unique(ordinals.begin(), ordinals.end()), ordinals.end());
+  geometry::keep_unique(ordinals);
   return ordinals;
 }
 

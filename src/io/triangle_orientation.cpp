@@ -8,11 +8,11 @@
 #include "flowcert/triangle_orientation.h"
 
 #include <algorithm>
-#include <boost/pending/disjoint_sets.hpp>
 #include <utility>
 #include <vector>
 
 #include "geometry/contract.h"
+#include "geometry/disjoint_sets.h"
 #include "geometry/floating_point.h"
 
 namespace flowcert {
@@ -72,24 +72,19 @@ class EdgeUses {
 // Side 2t of triangle t is the triangle as it is, and 2t + 1 is the turned one.
 class TriangleSides {
  public:
-  explicit TriangleSides(std::size_t triangles)
-      : ranks_(2 * triangles), parents_(2 * triangles), sets_(ranks_.data(), parents_.data()) {
-    for (std::uint32_t side = 0; side < parents_.size(); ++side) sets_.make_set(side);
-  }
+  explicit TriangleSides(std::size_t triangles) : sets_(2 * triangles) {}
 
   void join(const EdgeUse& one, const EdgeUse& other) {
     const std::uint32_t turned = one.ascends == other.ascends ? 1 : 0;
-    sets_.union_set(2 * one.triangle, 2 * other.triangle + turned);
-    sets_.union_set(2 * one.triangle + 1, 2 * other.triangle + 1 - turned);
+    sets_.unite(2 * one.triangle, 2 * other.triangle + turned);
+    sets_.unite(2 * one.triangle + 1, 2 * other.triangle + 1 - turned);
   }
   [[nodiscard]] std::uint32_t set_of(std::uint32_t triangle, bool turned) {
-    return sets_.find_set(2 * triangle + (turned ? 1 : 0));
+    return sets_.find(2 * triangle + (turned ? 1 : 0));
   }
 
  private:
-  std::vector<std::uint8_t> ranks_;
-  std::vector<std::uint32_t> parents_;
-  boost::disjoint_sets<std::uint8_t*, std::uint32_t*> sets_;
+  geometry::DisjointSets sets_;
 };
 
 }  // namespace

@@ -3,12 +3,13 @@
 #include "flowcert/merge_trees.h"
 
 #include <algorithm>
-#include <boost/pending/disjoint_sets.hpp>
 #include <map>
 #include <numeric>
 #include <utility>
 
+#include "geometry/disjoint_sets.h"
 #include "geometry/floating_point.h"
+#include "geometry/keep_unique.h"
 #include "morse/layer.h"
 #include "morse/record_finder.h"
 
@@ -27,43 +28,34 @@ struct Join {
 
 class TreeBuilder {
  public:
-  explicit TreeBuilder(std::size_t leaves)
-      : tree_{leaves, {}},
-        depth_(leaves),
-        parent_(leaves),
-        part_(leaves),
-        least_(leaves),
-        sets_(depth_.data(), parent_.data()) {
-    for (std::uint32_t leaf = 0; leaf < leaves; ++leaf) {
-      sets_.make_set(leaf);
-      part_[leaf] = least_[leaf] = leaf;
-    }
+  explicit TreeBuilder(std::size_t leaves) : tree_{leaves, {}}, part_(leaves), sets_(leaves) {
+    std::iota(part_.begin(), part_.end(), std::uint32_t{0});
+    least_ = part_;
   }
 
   // Adds the nodes of one value. The joins are all of this value, in the order of their points.
   void merge(std::span<const Join> joins) {
     std::vector<std::array<std::uint32_t, 2>> sides;  // by join: the parts before this value
-    for (const Join& join : joins) sides.push_back({set_of(join.one), set_of(join.other)});
+    for (const Join& join : joins) sides.push_back({sets_.find(join.one), sets_.find(join.other)});
     std::vector<std::uint32_t> joined;  // components before this value
     for (const auto& [one, other] : sides) {
       if (one != other) joined.insert(joined.end(), {one, other});
     }
     if (joined.empty()) return;
-    std::ranges::sort(joined);
-    joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
+    keep_unique(joined);
     std::vector<std::uint32_t> parts, leasts;
     for (const std::uint32_t set : joined) parts.push_back(part_[set]), leasts.push_back(least_[set]);
     for (const auto& [one, other] : sides) {
-      if (one != other) sets_.union_set(one, other);
+      if (one != other) sets_.unite(one, other);
     }
     std::map<std::uint32_t, std::pair<std::uint32_t, MergeNode>> nodes;  // by component: its least leaf, and its node
     for (std::size_t k = 0; k < joined.size(); ++k) {
-      auto& [least, node] = nodes.try_emplace(set_of(joined[k]), leasts[k], MergeNode{}).first->second;
+      auto& [least, node] = nodes.try_emplace(sets_.find(joined[k]), leasts[k], MergeNode{}).first->second;
       least = std::min(least, leasts[k]);
       node.parts.push_back(parts[k]);
     }
     for (std::size_t k = 0; k < joins.size(); ++k) {
-      if (sides[k][0] != sides[k][1]) nodes.at(set_of(sides[k][0])).second.points.push_back(joins[k].point);
+      if (sides[k][0] != sides[k][1]) nodes.at(sets_.find(sides[k][0])).second.points.push_back(joins[k].point);
     }
     add(nodes);
   }
@@ -71,8 +63,6 @@ class TreeBuilder {
   MergeTree tree() && { return std::move(tree_); }
 
  private:
-  std::uint32_t set_of(std::uint32_t leaf) { return sets_.find_set(leaf); }
-
   void add(std::map<std::uint32_t, std::pair<std::uint32_t, MergeNode>>& nodes) {
     std::map<std::uint32_t, std::uint32_t> by_least;
     for (const auto& [set, node] : nodes) by_least[node.first] = set;
@@ -86,9 +76,8 @@ class TreeBuilder {
   }
 
   MergeTree tree_;
-  std::vector<std::uint32_t> depth_, parent_;
   std::vector<std::uint32_t> part_, least_;  // by the representative of a component
-  boost::disjoint_sets<std::uint32_t*, std::uint32_t*> sets_;
+  DisjointSets sets_;
 };
 
 // Calls merge(joins) for each value. points come by value, and joins_of(point) tells what is at its sides.
@@ -146,8 +135,7 @@ std::vector<std::uint32_t> MergeTrees::limits_above(std::size_t record) const {
   std::vector<std::uint32_t> all;
   if (list_of_[record] == kNoLeaf) return all;
   for (const FlowLimits::Entry& entry : limits_->entries(list_of_[record])) all.push_back(entry.limit);
-  std::ranges::sort(all);
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+  keep_unique(all);
   return all;
 }
 
@@ -162,8 +150,7 @@ std::vector<std::uint32_t> MergeTrees::peaks_above(std::size_t record) const {
     const auto some = peaks_of_limit(limit);
     all.insert(all.end(), some.begin(), some.end());
   }
-  std::ranges::sort(all);
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+  keep_unique(all);
   return all;
 }
 

@@ -1,11 +1,11 @@
 #include "flowcert/persistence.h"
 
 #include <algorithm>
-#include <boost/pending/disjoint_sets.hpp>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
 
+#include "geometry/disjoint_sets.h"
 #include "geometry/floating_point.h"
 #include "morse/layer.h"
 #include "morse/record_finder.h"
@@ -23,33 +23,25 @@ constexpr Record kNone = 0xffffffffu;
 class Components {
  public:
   // The lower the rank of an element, the older it is.
-  explicit Components(std::vector<std::size_t> rank)
-      : rank_(std::move(rank)),
-        depth_(rank_.size()),
-        parent_(rank_.size()),
-        eldest_(rank_.size()),
-        sets_(depth_.data(), parent_.data()) {
-    for (std::size_t k = 0; k < rank_.size(); ++k) {
-      sets_.make_set(k);
-      eldest_[k] = k;
-    }
+  explicit Components(std::vector<Record> rank) : rank_(std::move(rank)), eldest_(rank_.size()), sets_(rank_.size()) {
+    std::iota(eldest_.begin(), eldest_.end(), Record{0});
   }
 
   // Makes two components one. Returns the eldest of the younger one; nothing if they are one already.
-  std::optional<std::size_t> merge(std::size_t a, std::size_t b) {
-    a = sets_.find_set(a);
-    b = sets_.find_set(b);
+  std::optional<Record> merge(Record a, Record b) {
+    a = sets_.find(a);
+    b = sets_.find(b);
     if (a == b) return std::nullopt;
-    std::size_t older = eldest_[a], younger = eldest_[b];
+    Record older = eldest_[a], younger = eldest_[b];
     if (rank_[younger] < rank_[older]) std::swap(older, younger);
-    sets_.link(a, b);
-    eldest_[sets_.find_set(a)] = older;
+    sets_.unite(a, b);
+    eldest_[sets_.find(a)] = older;
     return younger;
   }
 
  private:
-  std::vector<std::size_t> rank_, depth_, parent_, eldest_;
-  boost::disjoint_sets<std::size_t*, std::size_t*> sets_;
+  std::vector<Record> rank_, eldest_;
+  DisjointSets sets_;
 };
 
 class Pairing {
@@ -83,12 +75,12 @@ class Pairing {
   // All samples are born at 0; the one listed later dies.
   void pair_components() {
     const auto [first, last] = finder_.range({0, 0});
-    std::vector<std::size_t> rank(last - first);
-    std::iota(rank.begin(), rank.end(), std::size_t{0});
+    std::vector<Record> rank(last - first);
+    std::iota(rank.begin(), rank.end(), Record{0});
     Components components(std::move(rank));
     for (const Record edge : sorted(1)) {
       const auto ends = complex_.boundary(edge);
-      if (const auto dies = components.merge(ends[0], ends[1])) add(0, static_cast<Record>(*dies), edge);
+      if (const auto dies = components.merge(ends[0], ends[1])) add(0, *dies, edge);
     }
     for (Record sample = 0; sample < last; ++sample) {
       if (partner_[sample] == kNone) pairs_.push_back({0, sample, std::nullopt});
@@ -98,18 +90,19 @@ class Pairing {
   // Going down in value, two voids come together at the index-2 point that separates them. That point is
   // paired with the lower maximum. Infinity is the eldest.
   void pair_voids() {
-    const std::size_t first = finder_.range({3, 3}).first;
+    const auto first = static_cast<Record>(finder_.range({3, 3}).first);
     const std::vector<Record> maxima = sorted(3);
-    std::vector<std::size_t> rank(maxima.size() + 1, 0);
-    for (std::size_t k = 0; k < maxima.size(); ++k) rank[maxima[k] - first] = maxima.size() - k;
+    const auto infinity = static_cast<Record>(maxima.size());
+    std::vector<Record> rank(maxima.size() + 1, 0);
+    for (Record k = 0; k < infinity; ++k) rank[maxima[k] - first] = infinity - k;
     Components voids(std::move(rank));
-    const auto element = [&](Record limit) { return limit == ChainComplex::kInfinity ? maxima.size() : limit - first; };
+    const auto element = [&](Record limit) { return limit == ChainComplex::kInfinity ? infinity : limit - first; };
     const std::size_t first_saddle = finder_.range({2, 2}).first;
     const std::vector<Record> saddles = sorted(2);
     for (auto saddle = saddles.rbegin(); saddle != saddles.rend(); ++saddle) {
       const auto& limits = complex_.limits()[*saddle - first_saddle];
       if (const auto dies = voids.merge(element(limits[0]), element(limits[1]))) {
-        add(2, *saddle, static_cast<Record>(*dies + first));
+        add(2, *saddle, *dies + first);
       }
     }
   }

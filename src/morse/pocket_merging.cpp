@@ -4,30 +4,16 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
 #include <map>
 #include <set>
 
 #include "geometry/difference_of_roots.h"
+#include "geometry/disjoint_sets.h"
 
 namespace flowcert::morse {
 
 namespace {
-
-// Sets of leaves that know their highest one.
-class LeafSets {
- public:
-  explicit LeafSets(std::size_t leaves) : depth_(leaves), parent_(leaves), sets_(depth_.data(), parent_.data()) {
-    for (std::uint32_t leaf = 0; leaf < leaves; ++leaf) sets_.make_set(leaf);
-  }
-  std::uint32_t find(std::uint32_t leaf) { return sets_.find_set(leaf); }
-  void join(std::uint32_t one, std::uint32_t other) { sets_.union_set(one, other); }
-
- private:
-  std::vector<std::uint32_t> depth_, parent_;
-  boost::disjoint_sets<std::uint32_t*, std::uint32_t*> sets_;
-};
 
 class PocketMerging {
  public:
@@ -97,7 +83,7 @@ class PocketMerging {
     }
     // All of a shallow component is one pocket already.
     for (const Gate& gate : gates) {
-      if (gate.is_shallow[0] && gate.is_shallow[1]) pockets_.join(gate.sides[0].front(), gate.sides[1].front());
+      if (gate.is_shallow[0] && gate.is_shallow[1]) pockets_.unite(gate.sides[0].front(), gate.sides[1].front());
     }
     join_what_is_not_shallow(gates);
     for (const Gate& gate : gates) join_components(gate.sides[0].front(), gate.sides[1].front());
@@ -113,13 +99,13 @@ class PocketMerging {
       for (const std::uint32_t leaf : gate.sides[1 - shallow]) found.insert(pockets_.find(leaf));
     }
     for (const auto& [pocket, others] : beyond) {
-      if (others.size() == 1) pockets_.join(pocket, *others.begin());
+      if (others.size() == 1) pockets_.unite(pocket, *others.begin());
     }
   }
 
   void join_components(std::uint32_t one, std::uint32_t other) {
     const std::uint32_t a = highest_[components_.find(one)], b = highest_[components_.find(other)];
-    components_.join(one, other);
+    components_.unite(one, other);
     const auto is_lower = [this](std::uint32_t x, std::uint32_t y) {
       if (x == trees_.maxima() || y == trees_.maxima()) return y == trees_.maxima();
       return trees_.squared_distances().rank(trees_.record_of(x)) <
@@ -130,7 +116,7 @@ class PocketMerging {
 
   const MergeTrees& trees_;
   const geometry::RootDifference persistence_;
-  LeafSets components_, pockets_;
+  DisjointSets components_, pockets_;
   std::vector<std::uint32_t> highest_;  // by the representative of a component: its highest leaf
 };
 

@@ -9,6 +9,7 @@
 
 #include "geometry/difference_of_roots.h"
 #include "geometry/floating_point.h"
+#include "geometry/keep_unique.h"
 #include "morse/layer.h"
 #include "morse/pocket_merging.h"
 
@@ -19,11 +20,6 @@ using namespace morse;
 namespace {
 
 constexpr std::uint32_t kNoPart = MergeTree::kNone;
-
-void sort_without_repetition(std::vector<std::uint32_t>& numbers) {
-  std::ranges::sort(numbers);
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-}
 
 // Where parts of the tree of pockets come to infinity, and through which gates.
 class WaysOut {
@@ -84,7 +80,7 @@ class WaysOut {
         }
       }
     }
-    sort_without_repetition(gates);
+    keep_unique(gates);
     return gates;
   }
 
@@ -102,7 +98,7 @@ void widen(std::vector<std::uint32_t>& gates, const std::vector<std::uint32_t>& 
   if (!gates.empty() && distances.rank(gates.front()) > distances.rank(others.front())) return;
   if (!gates.empty() && distances.rank(gates.front()) < distances.rank(others.front())) gates.clear();
   gates.insert(gates.end(), others.begin(), others.end());
-  sort_without_repetition(gates);
+  keep_unique(gates);
 }
 
 }  // namespace
@@ -169,14 +165,14 @@ void Pockets::add_cells_and_mouths() {
       }
     }
   }
-  for (Pocket& pocket : pockets_) sort_without_repetition(pocket.neighbours);
+  for (Pocket& pocket : pockets_) keep_unique(pocket.neighbours);
 }
 
 std::vector<std::uint32_t> Pockets::above(std::size_t record) const {
   const geometry::IeeeDoubles ieee;
   std::vector<std::uint32_t> numbers;
   for (const std::uint32_t leaf : trees_->peaks_above(record)) numbers.push_back(number_of_[leaf]);
-  sort_without_repetition(numbers);
+  keep_unique(numbers);
   return numbers;
 }
 
@@ -204,7 +200,7 @@ std::vector<PointId> Pockets::lining(const Pocket& pocket, const StableVolumes& 
   for (const std::uint32_t record : pocket.cell) {
     for (const auto& [sample, share] : volumes.rounded_shares(record)) samples.push_back(sample);
   }
-  sort_without_repetition(samples);
+  keep_unique(samples);
   return samples;
 }
 

@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <bit>
-#include <boost/pending/disjoint_sets.hpp>
-#include <numeric>
 #include <unordered_map>
 #include <utility>
 
 #include "geometry/contract.h"
+#include "geometry/disjoint_sets.h"
 #include "geometry/integer_grid.h"
 #include "geometry/portions.h"
 #include "geometry/predicates.h"
@@ -169,7 +168,7 @@ void VoronoiComplex::compute_signs(FilterTally& tally, unsigned threads, const P
 
 void VoronoiComplex::gather_clusters(std::span<const FacetRef> cospherical) {
   const CellIndex count = delaunay_.finite_count;
-  Partition partition(count);
+  DisjointSets partition(count);
   flags_.assign(count, kAlone);
   for (const FacetRef facet : cospherical) {
     const CellIndex neighbor = delaunay_.neighbors(facet.cell)[facet.index];
@@ -267,7 +266,7 @@ void VoronoiComplex::gather_hull_polygons(FilterTally& tally) {
       hull.push_back({cell, i});
     }
   }
-  Partition partition(hull.size());
+  DisjointSets partition(hull.size());
   const auto point = [this](VertexIndex v) -> const Point& { return delaunay_.points[v]; };
   for (std::uint32_t k = 0; k < hull.size(); ++k) {
     const CellIndex outside = delaunay_.neighbors(hull[k].cell)[hull[k].index];
