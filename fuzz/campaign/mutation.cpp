@@ -12,9 +12,12 @@
 #include "flowcert/rational.h"
 #include "fuzz/inputs/integer_points.h"
 #include "fuzz/inputs/transformations.h"
+#include "geometry/rational_point.h"
 
 namespace flowcert::fuzz {
 namespace {
+
+using namespace geometry;
 
 // A result and its rows, as in Mutant.
 struct Change {
@@ -43,21 +46,6 @@ std::vector<std::size_t> choice(rc::Random& random, std::size_t size, std::size_
 
 // ---- Rational geometry ----
 
-RationalPoint operator+(const RationalPoint& a, const RationalPoint& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-RationalPoint operator-(const RationalPoint& a, const RationalPoint& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-RationalPoint operator*(const Rational& factor, const RationalPoint& a) {
-  return {factor * a[0], factor * a[1], factor * a[2]};
-}
-Rational inner(const RationalPoint& a, const RationalPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-RationalPoint outer(const RationalPoint& a, const RationalPoint& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-bool is_zero(const RationalPoint& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
-
 const Rational& one_half() {
   static const Rational half(1, 2);
   return half;
@@ -75,7 +63,7 @@ RationalPoint small_vector(rc::Random& random) {
 
 // x moved along v into the plane through `at` with normal v (t = 1), or to its mirror image in that plane (t = 2).
 RationalPoint moved_along(const RationalPoint& x, const RationalPoint& v, const RationalPoint& at, int t) {
-  return x - (t * inner(x - at, v) / inner(v, v)) * v;
+  return x - (t * dot(x - at, v) / dot(v, v)) * v;
 }
 RationalPoint image(const RationalPoint& x, const RationalPoint& at, const RationalPoint& normal) {
   return moved_along(x, normal, at, 2);
@@ -84,16 +72,16 @@ RationalPoint image(const RationalPoint& x, const RationalPoint& at, const Ratio
 // The point at equal distances from p and all p + edges, by Cramer's rule: 2 <z - p, edge> = <edge, edge>. The last
 // "edge" may be a normal; then z - p is orthogonal to it.
 MaybePoint center(const RationalPoint& p, const std::array<RationalPoint, 3>& edges, bool last_is_normal) {
-  const RationalPoint normal = outer(edges[0], edges[1]);
-  const Rational volume = inner(normal, edges[2]);
+  const RationalPoint normal = cross(edges[0], edges[1]);
+  const Rational volume = dot(normal, edges[2]);
   if (volume == 0) return std::nullopt;
   RationalPoint sum =
-      inner(edges[0], edges[0]) * outer(edges[1], edges[2]) + inner(edges[1], edges[1]) * outer(edges[2], edges[0]);
-  if (!last_is_normal) sum = sum + inner(edges[2], edges[2]) * normal;
+      dot(edges[0], edges[0]) * cross(edges[1], edges[2]) + dot(edges[1], edges[1]) * cross(edges[2], edges[0]);
+  if (!last_is_normal) sum = sum + dot(edges[2], edges[2]) * normal;
   return p + (one_half() / volume) * sum;
 }
 MaybePoint circle_center(const RationalPoint& p, const RationalPoint& q, const RationalPoint& r) {
-  return center(p, {q - p, r - p, outer(q - p, r - p)}, true);
+  return center(p, {q - p, r - p, cross(q - p, r - p)}, true);
 }
 
 // ---- Places: where x goes, from the other points and where it was ----
@@ -139,14 +127,14 @@ MaybePoint on_diameter_sphere(const Points& others, const RationalPoint&, rc::Ra
 MaybePoint at_foot(const Points& others, const RationalPoint& x, rc::Random& random) {
   RationalPoint line = below(random, 2) == 0 ? x - others[0] : small_vector(random);
   if (is_zero(line)) return std::nullopt;
-  return others[0] + (inner(others[1] - others[0], line) / inner(line, line)) * line;
+  return others[0] + (dot(others[1] - others[0], line) / dot(line, line)) * line;
 }
 
 // A point in the plane through `at` with this normal: the one nearest to x, or a step from `at` along the plane.
 MaybePoint in_plane(const RationalPoint& at, const RationalPoint& normal, const RationalPoint& x, rc::Random& random) {
   if (is_zero(normal)) return std::nullopt;
   if (below(random, 2) == 0) return moved_along(x, normal, at, 1);
-  return at + outer(normal, small_vector(random));
+  return at + cross(normal, small_vector(random));
 }
 
 MaybePoint on_bisector(const Points& others, const RationalPoint& x, rc::Random& random) {

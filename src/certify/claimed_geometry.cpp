@@ -64,8 +64,8 @@ std::vector<PointId> supported_face(const PointSet& points, std::span<const Poin
 bool turn_alike(const PointSet& points, std::span<const PointId> a, std::span<const PointId> b) {
   FLOWCERT_REQUIRES(a.size() >= 3 && b.size() >= 3);
   const auto normal = [&points](std::span<const PointId> names) {
-    const auto position = [&](std::size_t k) { return exact_position(sample(points, names[k])); };
-    return cross(vector_between(position(0), position(1)), vector_between(position(0), position(2)));
+    const auto at = [&](std::size_t k) { return exact_position(sample(points, names[k])); };
+    return normal_of(at(0), at(1), at(2));
   };
   return dot(normal(a), normal(b)) > 0;
 }
@@ -98,12 +98,6 @@ bool matches_at_once(const ClaimedPosition& claimed, const RationalPoint& truth)
   return true;
 }
 
-// Scaled so that its greatest coordinate, without the sign, is 1. The vector must not be zero.
-RationalPoint scaled_vector(const RationalPoint& v) {
-  const Rational greatest = std::max({Rational(abs(v[0])), Rational(abs(v[1])), Rational(abs(v[2]))});
-  return {v[0] / greatest, v[1] / greatest, v[2] / greatest};
-}
-
 ValueMatch wrong(bool by_rounding) { return by_rounding ? ValueMatch::kRounding : ValueMatch::kOff; }
 
 }  // namespace
@@ -117,9 +111,8 @@ namespace {
 
 // The square of the larger of the radius and the largest coordinate.
 Rational squared_extent(const ExactSphere& sphere) {
-  Rational largest = sphere.squared_radius;
-  for (const Rational& x : sphere.center) largest = std::max(largest, Rational(x * x));
-  return largest;
+  const Rational coordinate = greatest_coordinate(sphere.center);
+  return std::max(sphere.squared_radius, Rational(coordinate * coordinate));
 }
 
 // Whether the roots d and r of two numbers differ by no more than a length t: iff d^2 + r^2 - t^2 <= 2 d r.
@@ -151,10 +144,7 @@ bool is_rounding(const Rational& squared_a, const Rational& squared_b, const Rat
 }
 
 Rational ValueScale::squared_allowance() const {
-  Rational squared_length = sphere_.squared_radius;
-  if (squared_length == 0) {
-    for (const Rational& x : sphere_.center) squared_length = std::max(squared_length, Rational(x * x));
-  }
+  const Rational squared_length = sphere_.squared_radius == 0 ? squared_extent(sphere_) : sphere_.squared_radius;
   const Rational exact_tolerance(tolerance_);
   return exact_tolerance * exact_tolerance * squared_length;
 }
@@ -192,7 +182,7 @@ ValueMatch match_position(const ClaimedPosition& claimed, const RationalPoint& t
 ValueMatch match_vector(const ClaimedPosition& claimed, const RationalPoint& truth, double tolerance) {
   const auto is_zero = [](const ClaimedNumber& coordinate) { return coordinate.value == 0; };
   if (std::ranges::all_of(claimed, is_zero)) return ValueMatch::kOff;
-  const RationalPoint a = scaled_vector(values_of(claimed)), b = scaled_vector(truth);
+  const RationalPoint a = as_direction(values_of(claimed)), b = as_direction(truth);
   if (a == b) return is_exact(claimed) ? ValueMatch::kEqual : ValueMatch::kWithin;
   Rational most = 0;
   bool is_near = !is_exact(claimed);

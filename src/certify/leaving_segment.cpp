@@ -36,10 +36,10 @@ char face_letter(const PointSet& points, std::span<const PointId> contact) {
 LeavingSegment::LeavingSegment(const PointSet& points, std::span<const PointId> contact, const RationalPoint& y,
                                const RationalPoint& end)
     : at_end_(geometry::nearest_samples(points, end).names) {
-  const Vector3<Rational> way = vector_between(y, end);
+  const RationalPoint way = end - y;
   std::optional<Rational> most;
   for (const PointId name : contact) {
-    const Rational along = dot(way, vector_between(y, exact_position(sample(points, name))));
+    const Rational along = dot(way, exact_position(sample(points, name)) - y);
     if (most && along < *most) continue;
     if (!most || along > *most) crossed_.clear();
     most = along;

@@ -62,7 +62,7 @@ std::vector<std::vector<PerturbedPoint::Names>> PerturbedPoint::outcomes_of_kind
   const Names one = with(edge, others[0]), other = with(edge, others[1]);
   std::vector<std::vector<Names>> outcomes = {{edge, one, other, contact_}};
   // The angle at the edge between the two triangles: positive if it is acute.
-  const Vector3<Rational> a = from_center(edge[0]), r = from_center(others[0]), s = from_center(others[1]);
+  const RationalPoint a = from_center(edge[0]), r = from_center(others[0]), s = from_center(others[1]);
   const Rational cosine = dot(r, s) * dot(a, a) - dot(r, a) * dot(s, a);
   if (cosine >= 0) {
     outcomes.push_back({edge, one});
@@ -195,15 +195,15 @@ bool PerturbedPoint::has_inside(const Names& names) const {
 }
 
 // Whether in every plane through the axis, these samples lie on both sides.
-bool PerturbedPoint::is_amid(const Names& base, const Vector3<Rational>& axis) const {
+bool PerturbedPoint::is_amid(const Names& base, const RationalPoint& axis) const {
   const auto plane_to = [&](PointId name) { return cross(axis, from_center(name)); };
   // If all are on one side of some plane, this finds the first of them around the axis. It takes two rounds, because
   // one that is opposite to another is on no side of that.
-  Vector3<Rational> first = plane_to(base.front());
+  RationalPoint first = plane_to(base.front());
   for (int round = 0; round < 2; ++round) {
     for (const PointId name : base) {
-      const Vector3<Rational> plane = plane_to(name);
-      if (plane.x == 0 && plane.y == 0 && plane.z == 0) return false;
+      const RationalPoint plane = plane_to(name);
+      if (is_zero(plane)) return false;
       if (dot(first, from_center(name)) < 0) first = plane;
     }
   }
@@ -245,14 +245,13 @@ bool PerturbedPoint::overlap(std::span<const std::size_t> claimed) const {
 std::size_t PerturbedPoint::count_opposite_samples() const {
   std::set<RationalPoint> samples;
   for (const PointId name : contact_) samples.insert(exact_position(sample(run_.points, name)));
-  const auto count = std::ranges::count_if(samples, [&](const RationalPoint& p) {
-    return samples.contains({2 * center_[0] - p[0], 2 * center_[1] - p[1], 2 * center_[2] - p[2]});
-  });
+  const auto count = std::ranges::count_if(
+      samples, [&](const RationalPoint& p) { return samples.contains(Rational(2) * center_ - p); });
   return static_cast<std::size_t>(count) / 2;
 }
 
-Vector3<Rational> PerturbedPoint::from_center(PointId name) const {
-  return vector_between(center_, exact_position(sample(run_.points, name)));
+RationalPoint PerturbedPoint::from_center(PointId name) const {
+  return exact_position(sample(run_.points, name)) - center_;
 }
 
 }  // namespace flowcert::certify

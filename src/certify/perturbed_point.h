@@ -41,12 +41,12 @@ class PerturbedPoint {
   [[nodiscard]] bool is_on_face(const Names& names) const;
   [[nodiscard]] Names polygon_below_apex(const Names& names) const;
   [[nodiscard]] bool has_inside(const Names& names) const;
-  [[nodiscard]] bool is_amid(const Names& base, const Vector3<Rational>& axis) const;
+  [[nodiscard]] bool is_amid(const Names& base, const RationalPoint& axis) const;
   [[nodiscard]] bool has_right_sum(std::span<const std::size_t> claimed) const;
   [[nodiscard]] bool are_different(std::span<const std::size_t> claimed) const;
   [[nodiscard]] bool overlap(std::span<const std::size_t> claimed_points) const;
   [[nodiscard]] std::size_t count_opposite_samples() const;
-  [[nodiscard]] Vector3<Rational> from_center(PointId name) const;
+  [[nodiscard]] RationalPoint from_center(PointId name) const;
 
   CheckRun& run_;
   StationaryIndex index_;

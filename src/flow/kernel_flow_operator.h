@@ -276,10 +276,7 @@ class KernelFlowOperator final : public FlowOperator {
   // F-F-{V, E, infinity}.
   FlowStep step_from_facet(const Location& from) {
     const FacetName facet = from.place.facet;
-    const RationalPoint x = exact(from);
-    const Point &p0 = faces_.point(facet.v0), &p1 = faces_.point(facet.v1);
-    if (2 * x[0] == Rational(p0.x) + Rational(p1.x) && 2 * x[1] == Rational(p0.y) + Rational(p1.y) &&
-        2 * x[2] == Rational(p0.z) + Rational(p1.z)) {
+    if (exact(from) == exact_midpoint(faces_.point(facet.v0), faces_.point(facet.v1))) {
       return stays(from, {1, 1}, midpoint_of(facet));
     }
     const FacetRing ring = faces_.ring(facet);

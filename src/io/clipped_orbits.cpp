@@ -11,10 +11,6 @@ namespace flowcert::io {
 
 namespace {
 
-RationalPoint way_between(const RationalPoint& from, const RationalPoint& to) {
-  return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
-}
-
 bool is_finite(const Point& position) {
   return std::isfinite(position.x) && std::isfinite(position.y) && std::isfinite(position.z);
 }
@@ -23,7 +19,7 @@ bool is_finite(const Point& position) {
 
 RoundedSphere ClippedOrbits::cut(const Point& from, const RationalPoint& direction) {
   const Point end = box_.exit(from, direction);
-  const RationalPoint exact_end = geometry::exact_position(end);
+  const RationalPoint exact_end = exact_position(end);
   const auto nearest = faces_.contact(faces_.locate(exact_end));
   const Rational squared = geometry::squared_distance(exact_end, faces_.point(nearest.front()));
   return {end, nearest_or_infinity(squared)};
@@ -33,9 +29,9 @@ RoundedSphere ClippedOrbits::known_cut(const Key& key) {
   const auto [known, is_new] = cuts_.try_emplace(key);
   if (!is_new) return known->second;
   const Point from{key[0], key[1], key[2]}, ahead{key[3], key[4], key[5]};
-  const RationalPoint direction = geometry::exact_position(ahead);
+  const RationalPoint direction = exact_position(ahead);
   const bool is_position = key[6] == 1;
-  return known->second = cut(from, is_position ? way_between(geometry::exact_position(from), direction) : direction);
+  return known->second = cut(from, is_position ? direction - exact_position(from) : direction);
 }
 
 void ClippedOrbits::clip(std::size_t i, std::size_t side, std::vector<RoundedSphere>& points) {
@@ -53,7 +49,7 @@ void ClippedOrbits::clip(std::size_t i, std::size_t side, std::vector<RoundedSph
   } else {
     // The next point is beyond the doubles, so its exact position is made.
     const Orbit orbit = complex_.unstable().orbit(i, side);
-    end = cut(from, way_between(geometry::exact_position(from), *orbit.segments[count - 1].end));
+    end = cut(from, *orbit.segments[count - 1].end - exact_position(from));
   }
   points.resize(count);
   if (end.center != from) points.push_back(end);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/rational_point.h"
+#include "geometry/ring.h"
 
 namespace flowcert::io {
 
@@ -13,24 +14,17 @@ namespace {
 
 // Positive inside, 0 on the plane.
 Rational height(const ProjectiveCorner& corner, const HalfSpace& half_space) {
-  const auto& [a, b, c] = half_space.normal;
-  return a * corner.x[0] + b * corner.x[1] + c * corner.x[2] - half_space.offset * corner.w;
+  return dot(half_space.normal, corner.x) - half_space.offset * corner.w;
 }
 
 // Where the line between both meets the plane. One height is positive, the other one negative.
 ProjectiveCorner crossing(const ProjectiveCorner& a, const Rational& height_of_a, const ProjectiveCorner& b,
                           const Rational& height_of_b) {
   const Rational u = abs(height_of_b), v = abs(height_of_a);
-  ProjectiveCorner at;
-  for (std::size_t k = 0; k < 3; ++k) at.x[k] = u * a.x[k] + v * b.x[k];
-  at.w = u * a.w + v * b.w;
-  return at;
+  return {u * a.x + v * b.x, u * a.w + v * b.w};
 }
 
-bool are_opposite(const ProjectiveCorner& a, const ProjectiveCorner& b) {
-  const auto is_negative = [](const Rational& x, const Rational& y) { return x == -y; };
-  return a.w == 0 && b.w == 0 && std::ranges::equal(a.x, b.x, is_negative);
-}
+bool are_opposite(const ProjectiveCorner& a, const ProjectiveCorner& b) { return a.w == 0 && b.w == 0 && a.x == -b.x; }
 
 // A half plane that is cut along its border has opposite ends there. A point of the cut gets between them: it lies on
 // the way from a corner inside to one outside.
@@ -55,7 +49,7 @@ ProjectiveCorner corner_at_infinity(const RationalPoint& direction, std::uint32_
 }
 
 std::vector<HalfSpace> half_spaces(const ClipBox& box) {
-  const RationalPoint low = geometry::exact_position(box.low()), high = geometry::exact_position(box.high());
+  const RationalPoint low = exact_position(box.low()), high = exact_position(box.high());
   std::vector<HalfSpace> sides;
   for (std::size_t k = 0; k < 3; ++k) {
     HalfSpace above{{0, 0, 0}, low[k]}, below{{0, 0, 0}, -high[k]};
@@ -99,13 +93,14 @@ std::vector<ProjectiveCorner> clipped(std::vector<ProjectiveCorner> corners, Out
     corners = cut(corners, outline, side);
   }
   for (ProjectiveCorner& corner : corners) {
-    for (Rational& coordinate : corner.x) coordinate /= corner.w;
+    corner.x = Rational(1 / corner.w) * corner.x;
     corner.w = 1;
   }
   const auto is_same = [](const ProjectiveCorner& a, const ProjectiveCorner& b) { return a.x == b.x; };
-  corners.erase(std::unique(corners.begin(), corners.end(), is_same), corners.end());
-  while (outline == Outline::kClosed && corners.size() > 1 && is_same(corners.front(), corners.back())) {
-    corners.pop_back();
+  if (outline == Outline::kClosed) {
+    merge_repeated(corners, is_same);
+  } else {
+    corners.erase(std::unique(corners.begin(), corners.end(), is_same), corners.end());
   }
   return corners;
 }

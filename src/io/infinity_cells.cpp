@@ -14,7 +14,7 @@
 #include "flowcert/stable_regions.h"
 #include "geometry/floating_point.h"
 #include "geometry/rational_point.h"
-#include "geometry/vector3.h"
+#include "geometry/ring.h"
 #include "io/clipped_polygon.h"
 #include "io/corner_numbers.h"
 #include "io/number_text.h"
@@ -26,11 +26,9 @@ using namespace io;
 
 namespace {
 
-using ExactVector = geometry::Vector3<Rational>;
-
 // The sides of a box as polygons, counterclockwise seen from inside, in the order of half_spaces().
 std::vector<std::vector<ProjectiveCorner>> sides_of(const ClipBox& box) {
-  const std::array<RationalPoint, 2> ends = {geometry::exact_position(box.low()), geometry::exact_position(box.high())};
+  const std::array<RationalPoint, 2> ends = {exact_position(box.low()), exact_position(box.high())};
   std::vector<std::vector<ProjectiveCorner>> sides;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (const std::size_t end : {0U, 1U}) {
@@ -51,9 +49,7 @@ std::vector<std::vector<ProjectiveCorner>> sides_of(const ClipBox& box) {
 }
 
 // <x, normal> >= <p, normal>
-HalfSpace half_space_through(const RationalPoint& p, const ExactVector& normal) {
-  return {{normal.x, normal.y, normal.z}, normal.x * p[0] + normal.y * p[1] + normal.z * p[2]};
-}
+HalfSpace half_space_through(const RationalPoint& p, const RationalPoint& normal) { return {normal, dot(p, normal)}; }
 
 class InfinityCells {
  public:
@@ -83,7 +79,7 @@ class InfinityCells {
   using Corners = std::vector<ProjectiveCorner>;
 
   [[nodiscard]] RationalPoint position(PointId name) const {
-    return geometry::exact_position(complex_.points()[complex_.points().ordinal_of_row(name)]);
+    return exact_position(complex_.points()[complex_.points().ordinal_of_row(name)]);
   }
 
   void add(const StableRegion& region) {
@@ -114,7 +110,7 @@ class InfinityCells {
       const auto number = static_cast<std::uint32_t>(k);
       const Point x = regions_.rounded(region, region.corners[k]);
       const bool is_double = std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z);
-      const RationalPoint exact = is_double ? geometry::exact_position(x) : regions_.exact(region, region.corners[k]);
+      const RationalPoint exact = is_double ? exact_position(x) : regions_.exact(region, region.corners[k]);
       const bool at_infinity = region.corners[k].kind == RegionCorner::Kind::kEnd;
       base.push_back(at_infinity ? corner_at_infinity(exact, number) : finite_corner(exact, number));
     }
@@ -132,15 +128,11 @@ class InfinityCells {
       append(left, region.samples[side], false);
       std::ranges::reverse(left);
       const RationalPoint p = position(region.samples[side]), q = position(region.samples[1 - side]);
-      const ExactVector way = geometry::vector_between(p, q);
-      const Rational half = (way.x * (p[0] + q[0]) + way.y * (p[1] + q[1]) + way.z * (p[2] + q[2])) / 2;
-      std::vector<HalfSpace> walls = {{{-way.x, -way.y, -way.z}, -half}};
-      const auto from_apex = [&](const ProjectiveCorner& c) {
-        return ExactVector{c.x[0] - c.w * p[0], c.x[1] - c.w * p[1], c.x[2] - c.w * p[2]};
-      };
+      std::vector<HalfSpace> walls = {half_space_through(Rational(1, 2) * (p + q), p - q)};
+      const auto from_apex = [&](const ProjectiveCorner& c) { return c.x - c.w * p; };
       for (std::size_t k = 0; k < base.size(); ++k) {
-        const ExactVector here = from_apex(base[k]), next = from_apex(base[(k + 1) % base.size()]);
-        walls.push_back(half_space_through(p, geometry::cross(next, here)));
+        const RationalPoint here = from_apex(base[k]), next = from_apex(base[(k + 1) % base.size()]);
+        walls.push_back(half_space_through(p, cross(next, here)));
       }
       append_on_sides(region.samples[side], walls);
       std::ranges::reverse(base);
@@ -153,7 +145,7 @@ class InfinityCells {
     walls.reserve(beyond.size());
     const RationalPoint p = position(sample);
     for (const PointId other : beyond) {
-      walls.push_back(half_space_through(p, geometry::vector_between(position(other), p)));
+      walls.push_back(half_space_through(p, p - position(other)));
     }
     append_on_sides(sample, walls);
   }
@@ -163,7 +155,7 @@ class InfinityCells {
     const RationalPoint p = position(sample);
     for (std::size_t k = 0; k < sides_.size(); ++k) {
       const auto& [normal, offset] = half_spaces_[k];
-      if (normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2] == offset) continue;
+      if (dot(normal, p) == offset) continue;
       Corners polygon = sides_[k];
       for (const HalfSpace& wall : walls) {
         if (polygon.empty()) break;
@@ -171,8 +163,7 @@ class InfinityCells {
       }
       std::vector<std::int64_t> corners;
       for (const ProjectiveCorner& corner : polygon) {
-        corners.push_back(
-            numbers_.of_cut(rounded({corner.x[0] / corner.w, corner.x[1] / corner.w, corner.x[2] / corner.w})));
+        corners.push_back(numbers_.of_cut(rounded(Rational(1 / corner.w) * corner.x)));
       }
       append(corners, sample, true);
     }
@@ -180,8 +171,7 @@ class InfinityCells {
 
   // The corners counterclockwise, seen from the sample.
   void append(std::vector<std::int64_t> corners, PointId sample, bool is_clipped) {
-    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-    while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
+    merge_repeated(corners);
     if (corners.size() < 3) return;
     const std::size_t count = cells_.append(std::move(corners), numbers_.of_sample(sample));
     samples_.insert(samples_.end(), count, static_cast<std::int64_t>(sample));

@@ -7,6 +7,7 @@
 
 #include "flowcert/stable_regions.h"
 #include "geometry/floating_point.h"
+#include "geometry/rational_point.h"
 #include "io/corner_numbers.h"
 #include "io/number_text.h"
 #include "io/pyramid_set.h"
@@ -24,9 +25,8 @@ std::map<Samples, std::size_t> records_of_facets(const FlowComplex& complex) {
   const StationaryPoints& stationary = complex.stationary();
   const PointSet& points = complex.points();
   const auto is_between = [&](const Samples& samples, const RationalPoint& center) {
-    const Point &p = points[points.ordinal_of_row(samples[0])], &q = points[points.ordinal_of_row(samples[1])];
-    return Rational(p.x) + Rational(q.x) == 2 * center[0] && Rational(p.y) + Rational(q.y) == 2 * center[1] &&
-           Rational(p.z) + Rational(q.z) == 2 * center[2];
+    const auto at = [&](std::size_t k) { return points[points.ordinal_of_row(samples[k])]; };
+    return geometry::exact_midpoint(at(0), at(1)) == center;
   };
   std::map<Samples, std::size_t> records;
   for (std::size_t record = 0; record < stationary.size(); ++record) {

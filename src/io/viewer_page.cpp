@@ -12,6 +12,7 @@
 
 #include "flowcert/surface.h"
 #include "geometry/floating_point.h"
+#include "geometry/rational_point.h"
 #include "io/json_fields.h"
 #include "io/viewer_blob.h"
 #include "io/viewer_cells.h"
@@ -81,14 +82,10 @@ std::array<std::uint32_t, 2> edge_of(const ViewerContent& content, std::size_t r
   if (contact.size() == 2) return {content.sample(contact[0]), content.sample(contact[1])};
   const PointSet& points = content.complex.points();
   const RationalPoint center = content.complex.sphere(record).center;
-  const auto opposite = [&](const Point& a, const Point& b) {
-    return Rational(a.x) + Rational(b.x) == 2 * center[0] && Rational(a.y) + Rational(b.y) == 2 * center[1] &&
-           Rational(a.z) + Rational(b.z) == 2 * center[2];
-  };
   for (std::size_t i = 0; i < contact.size(); ++i) {
     for (std::size_t j = i + 1; j < contact.size(); ++j) {
       const std::uint32_t a = content.sample(contact[i]), b = content.sample(contact[j]);
-      if (opposite(points[a], points[b])) return {a, b};
+      if (geometry::exact_midpoint(points[a], points[b]) == center) return {a, b};
     }
   }
   throw std::logic_error("a stationary point on an edge is no midpoint of two samples");

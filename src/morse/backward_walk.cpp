@@ -26,11 +26,8 @@ FrontNumber BackwardWalk::at_infinity(const RationalPoint& direction, CellIndex 
 }
 
 FrontNumber BackwardWalk::on_ray(FrontNumber front, FacetName facet) {
-  const RationalPoint p = exact_position(faces_.point(facet.v0)), q = exact_position(faces_.point(facet.v1));
-  RationalPoint x = direction(front);
-  for (std::size_t k = 0; k < 3; ++k) x[k] += (p[k] + q[k]) / 2;
   Front on_it = fronts_[front];
-  on_it.point = flow_.add(x);
+  on_it.point = flow_.add(exact_midpoint(faces_.point(facet.v0), faces_.point(facet.v1)) + direction(front));
   return add(on_it);
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "flowcert/rounded_sphere.h"
+#include "geometry/rational_point.h"
 
 namespace flowcert::morse {
 
@@ -36,11 +37,7 @@ Point DivisionPositions::rounded_face(const DivisionPoint& point) {
     const auto decided = bounded().rounded_face(point);
     return decided ? *decided : rounded_point(exact_face(point));
   }
-  RationalPoint position = exact_face(point);
-  Rational largest = 0;
-  for (const Rational& x : position) largest = std::max(largest, Rational(abs(x)));
-  for (Rational& x : position) x /= largest;
-  return rounded_point(position);
+  return rounded_point(as_direction(exact_face(point)));
 }
 
 // Rounding keeps the order of numbers, or makes them equal.

@@ -12,14 +12,9 @@ std::array<VertexIndex, 3> own_samples(const DivisionPoint& crossing) {
   return {crossing.facet.v0, crossing.facet.v1, crossing.apex};
 }
 
-RationalPoint as_point(const Vector3<Rational>& v) { return {v.x, v.y, v.z}; }
-
 }  // namespace
 
-Vector3<Rational> ExactDivisions::at(VertexIndex v) const {
-  const Point& p = diagram_.point(v);
-  return {Rational(p.x), Rational(p.y), Rational(p.z)};
-}
+Vector3<Rational> ExactDivisions::at(VertexIndex v) const { return exact_vector(diagram_.point(v)); }
 
 // The point that it comes from is a centre, or its parameter is known.
 Rational ExactDivisions::crossing(const DivisionPoint& point) {
@@ -56,18 +51,18 @@ RationalPoint ExactDivisions::position(PointOfDivision number) {
   const DivisionPoint& point = partition_.point(number);
   if (point.kind != Kind::kCrossing) return position_of_face(point);
   const Vector3<Rational> p0 = at(point.facet.v0);
-  return as_point(p0 + offset_of_parameter(at(point.facet.v1) - p0, at(point.apex) - p0, parameter(number)));
+  return exact_position(p0 + offset_of_parameter(at(point.facet.v1) - p0, at(point.apex) - p0, parameter(number)));
 }
 
 RationalPoint ExactDivisions::position_of_face(const DivisionPoint& point) const {
   if (point.kind == Kind::kVertex) {
     const auto& v = diagram_.delaunay().vertices(point.from);
-    return as_point(circumcenter(at(v[0]), at(v[1]), at(v[2]), at(v[3])));
+    return exact_position(circumcenter(at(v[0]), at(v[1]), at(v[2]), at(v[3])));
   }
   const auto [a, b, c] = diagram_.corners({point.from / 4, point.from % 4});
-  if (point.kind == Kind::kCenter) return as_point(circumcenter(at(a), at(b), at(c)));
+  if (point.kind == Kind::kCenter) return exact_position(circumcenter(at(a), at(b), at(c)));
   const Vector3<Rational> outward = cross(at(b) - at(a), at(c) - at(a));
-  return as_point(Rational(point.apex == 1 ? 1 : -1) * outward);
+  return exact_position(Rational(point.apex == 1 ? 1 : -1) * outward);
 }
 
 }  // namespace flowcert::morse

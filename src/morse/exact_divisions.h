@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "flowcert/rational.h"
+#include "geometry/rational_point.h"
 #include "morse/division_parameter.h"
 #include "morse/limit_partition.h"
 #include "morse/polygon_turn.h"

@@ -8,6 +8,7 @@
 
 #include "geometry/contract.h"
 #include "geometry/floating_point.h"
+#include "geometry/rational_point.h"
 #include "morse/division_positions.h"
 #include "morse/limit_partition.h"
 #include "morse/polygon_turn.h"
@@ -137,14 +138,6 @@ std::optional<std::size_t> limit_of(const Division& division) {
   return division.limit == kInfinityLimit ? std::nullopt : std::optional<std::size_t>(division.limit);
 }
 
-// So that it depends on the direction alone.
-RationalPoint with_largest_one(RationalPoint vector) {
-  Rational largest = 0;
-  for (const Rational& x : vector) largest = std::max(largest, Rational(abs(x)));
-  for (Rational& x : vector) x /= largest;
-  return vector;
-}
-
 // The entries with positions by `position_of`, from the one with the place `first` among the directions.
 template <class List, class PositionOf>
 List list_of(std::span<const Division> entries, const LimitPartition& partition, std::size_t first,
@@ -186,7 +179,7 @@ LambdaList FlowLimits::list(std::size_t i) const {
   return list_of<LambdaList>(all.entries(i), all.partition, first, [&](PointOfDivision point) {
     const bool is_vector = all.partition.point(point).kind == DivisionPoint::Kind::kEnd;
     RationalPoint position = all.positions().exact(point);
-    return is_vector ? with_largest_one(std::move(position)) : position;
+    return is_vector ? as_direction(position) : position;
   });
 }
 

@@ -11,6 +11,7 @@
 
 #include "geometry/bounded_arithmetic.h"
 #include "geometry/floating_point.h"
+#include "geometry/rational_point.h"
 #include "morse/bounded_divisions.h"
 #include "morse/first_exit.h"
 #include "morse/limit_partition.h"
@@ -251,7 +252,7 @@ FlowPlace FlowLocator::locate(const Point& x) {
     const Limit limit = all.limit_in_cell(p, all.map->between(p, x));
     if (limit != Parts::kOpenLimit) return all.place(p, limit);
   }
-  return all.follow({Rational(x.x), Rational(x.y), Rational(x.z)});
+  return all.follow(exact_position(x));
 }
 
 std::size_t FlowLocator::followed() const { return parts_->followed; }

@@ -7,7 +7,7 @@
 #include <array>
 
 #include "flowcert/rational.h"
-#include "geometry/vector3.h"
+#include "geometry/rational_point.h"
 #include "morse/layer.h"
 #include "voronoi/diagram.h"
 
@@ -30,13 +30,9 @@ namespace flowcert::morse {
   const std::array<VertexIndex, 3> corners = diagram.corners(polygon);
   if (const int turn = turn_of_same(corners, abc); turn != 0) return turn > 0;
   // Only polygons with more than three samples come here.
-  using Vector = Vector3<Rational>;
-  const auto at = [&](VertexIndex v) {
-    const Point& p = diagram.point(v);
-    return Vector{Rational(p.x), Rational(p.y), Rational(p.z)};
-  };
   const auto normal = [&](const std::array<VertexIndex, 3>& v) {
-    return cross(at(v[1]) - at(v[0]), at(v[2]) - at(v[0]));
+    const auto at = [&](std::size_t k) { return exact_position(diagram.point(v[k])); };
+    return normal_of(at(0), at(1), at(2));
   };
   return dot(normal(corners), normal(abc)) > 0;
 }

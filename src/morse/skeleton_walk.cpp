@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "geometry/ring.h"
 #include "morse/record_face.h"
 
 namespace flowcert::morse {
@@ -214,10 +215,7 @@ std::vector<SectorCorner> SkeletonWalk::corners_of(const SectorParts& parts, Fac
     corners.push_back({is_vector, is_vector ? walk_.direction(front) : position(front)});
   }
   if (parts.has_midpoint) corners.push_back({false, exact_sphere(source_.points, names(facet)).center});
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  if (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
-  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-  if (corners.size() > 2 && corners.back() < corners[1]) std::reverse(corners.begin() + 1, corners.end());
+  make_canonical(corners);
   return corners;
 }
 

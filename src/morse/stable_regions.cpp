@@ -5,6 +5,7 @@
 
 #include "flowcert/rounded_sphere.h"
 #include "geometry/floating_point.h"
+#include "geometry/rational_point.h"
 #include "morse/division_positions.h"
 #include "morse/facet_regions.h"
 #include "voronoi/each_polygon.h"
@@ -78,9 +79,7 @@ void StableRegions::visit(const Visit& visit) {
 
 RationalPoint StableRegions::Parts::midpoint(const StableRegion& region) const {
   const auto sample = [this](PointId name) -> const Point& { return points.points()[points.ordinal_of_row(name)]; };
-  const Point &p = sample(region.samples[0]), &q = sample(region.samples[1]);
-  return {(Rational(p.x) + Rational(q.x)) / 2, (Rational(p.y) + Rational(q.y)) / 2,
-          (Rational(p.z) + Rational(q.z)) / 2};
+  return exact_midpoint(sample(region.samples[0]), sample(region.samples[1]));
 }
 
 DivisionPoint StableRegions::Parts::place(const RegionCorner& corner) const {

@@ -85,10 +85,7 @@ struct StableVolumes::Parts {
                           std::vector<std::pair<PointId, BoundedNumber>>& shares) const;
   // Nothing if the bounds leave one open.
   [[nodiscard]] std::optional<std::vector<std::pair<PointId, double>>> rounded_shares(std::size_t record);
-  [[nodiscard]] RationalVector at(VertexIndex v) const {
-    const Point& p = diagram.point(v);
-    return {Rational(p.x), Rational(p.y), Rational(p.z)};
-  }
+  [[nodiscard]] RationalVector at(VertexIndex v) const { return exact_vector(diagram.point(v)); }
   [[nodiscard]] Rational determinant(CellIndex cell) const;
   [[nodiscard]] Rational pyramid(std::uint32_t face) const;
   [[nodiscard]] Rational exact(const VolumeTerm& term);

@@ -6,7 +6,7 @@
 
 #include "geometry/difference_of_roots.h"
 #include "geometry/floating_point.h"
-#include "geometry/vector3.h"
+#include "geometry/rational_point.h"
 #include "morse/layer.h"
 
 namespace flowcert {
@@ -46,10 +46,7 @@ double exact_area(const PointSet& points, const StableSet& set) {
   double sum = 0;
   for (const BackwardSegment& segment : set.segments) {
     const Point& p = points[points.ordinal_of_row(segment.samples[0])];
-    const auto from_sample = [&](const RationalPoint& x) {
-      return Vector3<Rational>{x[0] - Rational(p.x), x[1] - Rational(p.y), x[2] - Rational(p.z)};
-    };
-    const Vector3<Rational> normal = cross(from_sample(segment.front), from_sample(segment.back));
+    const RationalPoint normal = normal_of(exact_position(p), segment.front, segment.back);
     sum += geometry::nearest_difference_of_roots(dot(normal, normal), 0);
   }
   return sum;

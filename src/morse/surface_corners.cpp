@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "flowcert/rounded_sphere.h"
+#include "geometry/rational_point.h"
 #include "morse/unbounded_faces.h"
 
 namespace flowcert::morse {
@@ -13,31 +15,17 @@ namespace {
 
 std::array<double, 3> coordinates(const Point& x) { return {x.x, x.y, x.z}; }
 
-Point nearest_point(const RationalPoint& x) {
-  const auto nearest = [](const Rational& c) { return nearest_double(c).value_or(c > 0 ? HUGE_VAL : -HUGE_VAL); };
-  return {nearest(x[0]), nearest(x[1]), nearest(x[2])};
-}
-
-SurfaceCorner corner_at_infinity(const Vector3<Rational>& vector) {
-  const Rational largest = std::max({Rational(abs(vector.x)), Rational(abs(vector.y)), Rational(abs(vector.z))});
-  return {{vector.x / largest, vector.y / largest, vector.z / largest}, true};
-}
-
 }  // namespace
 
 // ---- Exactly ----
 
-Vector3<Rational> SurfaceCorners::sample(VertexIndex v) const {
-  const Point& p = faces_.point(v);
-  return {Rational(p.x), Rational(p.y), Rational(p.z)};
-}
+RationalPoint SurfaceCorners::sample(VertexIndex v) const { return exact_position(faces_.point(v)); }
 
 SurfaceCorner SurfaceCorners::exact(const SurfaceEnd& end) {
   if (end.kind == SurfaceEnd::Kind::kPoint) return {flow_.exact(end.at)};
   if (end.kind == SurfaceEnd::Kind::kAlong) return {direction_of(faces_.diagram(), end.along), true};
-  const RationalPoint x = flow_.exact(end.at);
-  return corner_at_infinity(Rational(2) * Vector3<Rational>{x[0], x[1], x[2]} - sample(end.facet.v0) -
-                            sample(end.facet.v1));
+  const RationalPoint x = Rational(2) * flow_.exact(end.at);
+  return {as_direction(x - sample(end.facet.v0) - sample(end.facet.v1)), true};
 }
 
 SurfaceCorner SurfaceCorners::exact(PolygonRef polygon, const TraceEnd& end) {
@@ -78,7 +66,7 @@ std::uint32_t SurfaceCorners::number(const Location& at) {
 }
 
 std::uint32_t SurfaceCorners::number(SurfaceCorner corner) {
-  const Point rounded = nearest_point(corner.position);
+  const Point rounded = rounded_point(corner.position);
   return number_of({rounded, corner.at_infinity, {}, std::move(corner.position)});
 }
 

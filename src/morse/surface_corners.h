@@ -46,7 +46,7 @@ class SurfaceCorners {
   };
   using Coordinates = std::array<double, 3>;
 
-  [[nodiscard]] Vector3<Rational> sample(VertexIndex v) const;
+  [[nodiscard]] RationalPoint sample(VertexIndex v) const;
   [[nodiscard]] std::uint32_t number_of(Numbered corner);
   [[nodiscard]] const RationalPoint& exact_of(Numbered& corner);
 

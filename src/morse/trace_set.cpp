@@ -1,5 +1,6 @@
 #include "morse/trace_set.h"
 
+#include "geometry/rational_point.h"
 #include "voronoi/facet_rings.h"
 
 namespace flowcert::morse {
@@ -16,15 +17,11 @@ TraceOrder::Axis TraceOrder::axis(PolygonRef polygon) {
   const auto [known, is_new] = axes_.try_emplace(RingPiece::pack(polygon), Axis{0, 0});
   if (!is_new) return known->second;
   const auto [a, b, c] = diagram_.corners(polygon);
-  const auto at = [this](VertexIndex v) {
-    const Point& p = diagram_.point(v);
-    return Vector3<Rational>{Rational(p.x), Rational(p.y), Rational(p.z)};
-  };
-  const Vector3<Rational> origin = at(a), normal = cross(at(b) - origin, at(c) - origin);
-  const std::array<int, 3> signs{normal.x.sign(), normal.y.sign(), normal.z.sign()};
+  const auto at = [this](VertexIndex v) { return exact_position(diagram_.point(v)); };
+  const RationalPoint normal = normal_of(at(a), at(b), at(c));
   std::size_t k = 0;
-  while (signs[k] == 0) ++k;
-  return known->second = {k, signs[k]};
+  while (normal[k] == 0) ++k;
+  return known->second = {k, normal[k].sign()};
 }
 
 double TraceOrder::rounded(const Location& at, std::size_t coordinate) {

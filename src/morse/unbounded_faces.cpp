@@ -5,30 +5,15 @@
 #include <array>
 #include <utility>
 
-#include "geometry/vector3.h"
+#include "geometry/rational_point.h"
 
 namespace flowcert::morse {
 
 namespace {
 
-using ExactVector = Vector3<Rational>;
-
-ExactVector position_of(const Diagram& diagram, VertexIndex v) {
-  const Point& p = diagram.point(v);
-  return {Rational(p.x), Rational(p.y), Rational(p.z)};
-}
-
-// So that it depends on the direction alone.
-RationalPoint as_direction(const ExactVector& vector) {
-  const Rational largest = std::max({Rational(abs(vector.x)), Rational(abs(vector.y)), Rational(abs(vector.z))});
-  return {vector.x / largest, vector.y / largest, vector.z / largest};
-}
-
-RationalPoint opposite(const RationalPoint& direction) { return {-direction[0], -direction[1], -direction[2]}; }
-
-// A quarter turn around v1 - v0, counterclockwise seen from v1.
-RationalPoint turned(const ExactVector& axis, const RationalPoint& direction) {
-  return as_direction(cross(axis, ExactVector{direction[0], direction[1], direction[2]}));
+// A quarter turn around the axis, counterclockwise seen from its end.
+RationalPoint turned(const RationalPoint& axis, const RationalPoint& direction) {
+  return as_direction(cross(axis, direction));
 }
 
 class UnboundedSearch {
@@ -47,9 +32,9 @@ class UnboundedSearch {
     for (CellIndex edge = 0; edge < faces_.delaunay().finite_count; ++edge) {
       const auto& v = faces_.delaunay().vertices(edge);
       UnboundedFacet facet{facet_name(v[0], v[1]), edge, {}, {}};
-      const ExactVector axis = axis_of(facet.facet);
-      const ExactVector across = axis.x != 0 || axis.y != 0 ? ExactVector{0, 0, 1} : ExactVector{1, 0, 0};
-      facet.rays.push_back(as_direction(cross(axis, across)));
+      const RationalPoint axis = axis_of(facet.facet);
+      facet.rays.push_back(
+          turned(axis, axis[0] != 0 || axis[1] != 0 ? RationalPoint{0, 0, 1} : RationalPoint{1, 0, 0}));
       for (std::size_t k = 0; k < 3; ++k) facet.rays.push_back(turned(axis, facet.rays.back()));
       for (std::size_t k = 0; k < 4; ++k) facet.arcs.push_back({facet.rays[k], facet.rays[(k + 1) % 4]});
       found_.facets.push_back(std::move(facet));
@@ -103,7 +88,7 @@ class UnboundedSearch {
     }
     if (is_from_free) facet.rays.push_back(from);
     if (is_to_free) facet.rays.push_back(to);
-    if (to != opposite(from)) {
+    if (to != -from) {
       facet.arcs.push_back({from, to});
       return;
     }
@@ -113,8 +98,8 @@ class UnboundedSearch {
     facet.arcs.push_back({middle, to});
   }
 
-  [[nodiscard]] ExactVector axis_of(FacetName facet) const {
-    return position_of(diagram_, facet.v1) - position_of(diagram_, facet.v0);
+  [[nodiscard]] RationalPoint axis_of(FacetName facet) const {
+    return exact_position(diagram_.point(facet.v1)) - exact_position(diagram_.point(facet.v0));
   }
 
   VoronoiFaces& faces_;
@@ -129,9 +114,9 @@ UnboundedFaces unbounded_faces(VoronoiFaces& faces) { return UnboundedSearch(fac
 
 RationalPoint direction_of(const Diagram& diagram, const EdgeEnd& at) {
   const auto [a, b, c] = diagram.corners(at.polygon);
-  const ExactVector origin = position_of(diagram, a);
-  const ExactVector normal = cross(position_of(diagram, b) - origin, position_of(diagram, c) - origin);
-  return as_direction(Rational(at.end == 1 ? 1 : -1) * normal);
+  const auto position = [&](VertexIndex v) { return exact_position(diagram.point(v)); };
+  const RationalPoint normal = as_direction(normal_of(position(a), position(b), position(c)));
+  return at.end == 1 ? normal : -normal;
 }
 
 }  // namespace flowcert::morse

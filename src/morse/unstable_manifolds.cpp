@@ -33,19 +33,8 @@ namespace {
 
 constexpr std::size_t kProgressStep = 256;
 
-// The direction of a vector, which must not be zero.
-Point rounded_direction(const Vector3<Rational>& vector) {
-  const Rational largest = std::max({Rational(abs(vector.x)), Rational(abs(vector.y)), Rational(abs(vector.z))});
-  // No quotient exceeds 1, so each has a nearest double. The sum makes no negative zero.
-  const auto rounded = [&](const Rational& coordinate) { return nearest_double(coordinate / largest).value() + 0.0; };
-  return {rounded(vector.x), rounded(vector.y), rounded(vector.z)};
-}
-
-// (b-a) x (c-a)
-Vector3<Rational> exact_normal(const Point& a, const Point& b, const Point& c) {
-  const RationalPoint from = geometry::exact_position(a);
-  return cross(geometry::vector_between(from, geometry::exact_position(b)),
-               geometry::vector_between(from, geometry::exact_position(c)));
+RationalPoint exact_normal(const Point& a, const Point& b, const Point& c) {
+  return normal_of(exact_position(a), exact_position(b), exact_position(c));
 }
 
 }  // namespace
@@ -113,7 +102,7 @@ class UnstableManifolds::Parts::Worker {
  private:
   [[nodiscard]] bool is_reversed(std::size_t record, PolygonRef polygon) const;
   // The normal of the plane through the saddle's contact points points to side 1.
-  [[nodiscard]] Vector3<Rational> normal_of(std::size_t saddle) const;
+  [[nodiscard]] RationalPoint normal_of(std::size_t saddle) const;
   [[nodiscard]] Point last_direction_from(CellIndex vertex);
   // If the polygon is reversed, side 0 of the manifold is end 1 of the Voronoi edge.
   [[nodiscard]] Location start_of(std::size_t saddle, std::size_t side) {
@@ -167,7 +156,7 @@ bool UnstableManifolds::Parts::Worker::is_reversed(std::size_t record, PolygonRe
              normal_of(record)) < 0;
 }
 
-Vector3<Rational> UnstableManifolds::Parts::Worker::normal_of(std::size_t saddle) const {
+RationalPoint UnstableManifolds::Parts::Worker::normal_of(std::size_t saddle) const {
   const PointSet& points = all_.diagram.points();
   const auto contact = all_.stationary.contact(saddle);
   const auto named = [&](std::size_t k) -> const Point& { return points[points.ordinal_of_row(contact[k])]; };
@@ -252,7 +241,7 @@ std::vector<RoundedSphere> UnstableManifolds::Parts::Worker::rounded_orbit(std::
 Point UnstableManifolds::Parts::Worker::direction_to_infinity(std::size_t saddle, std::size_t side) {
   const Place place = start_of(saddle, side).place;
   if (place.kind == Place::Kind::kVertex) return last_direction_from(rounded_.last_vertex(place.vertex));
-  return rounded_direction(Rational(side == 1 ? 1 : -1) * normal_of(saddle));
+  return rounded_point(as_direction(Rational(side == 1 ? 1 : -1) * normal_of(saddle)));
 }
 
 Point UnstableManifolds::Parts::Worker::last_direction_from(CellIndex vertex) {
@@ -266,7 +255,7 @@ Point UnstableManifolds::Parts::Worker::last_direction_from(CellIndex vertex) {
   }
   const FlowSegment last = recorder_.segment(at, step);
   flow_->drop_from(0);
-  return known->second = rounded_direction(geometry::vector_between(last.driver, last.start));
+  return known->second = rounded_point(as_direction(last.start - last.driver));
 }
 
 void UnstableManifolds::Parts::compute(const Progress& progress) {

@@ -9,6 +9,8 @@
 #include "flow/worker_pool.h"
 #include "geometry/contract.h"
 #include "geometry/floating_point.h"
+#include "geometry/rational_point.h"
+#include "geometry/ring.h"
 #include "morse/forward_walk.h"
 #include "morse/record_face.h"
 #include "morse/record_facet.h"
@@ -28,26 +30,11 @@ bool is_lesser_interval(const UnstableInterval& a, const UnstableInterval& b) {
   return is_lesser_corner(a.from, b.from);
 }
 
-// From the least corner towards the lesser of its neighbours, each one once.
-void make_canonical(std::vector<SurfaceCorner>& corners) {
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
-  std::rotate(corners.begin(), std::ranges::min_element(corners, is_lesser_corner), corners.end());
-  if (corners.size() > 2 && is_lesser_corner(corners.back(), corners[1])) {
-    std::reverse(corners.begin() + 1, corners.end());
-  }
-}
-
 // A sheet keeps its sense.
 void make_canonical(RoundedUnstableSurface::Part& part) {
   std::vector<std::uint32_t>& corners = part.corners;
-  if (part.kind != RoundedUnstableSurface::Kind::kSheet) {
-    if (corners.front() > corners.back()) std::ranges::reverse(corners);
-    return;
-  }
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
-  std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
+  if (part.kind == RoundedUnstableSurface::Kind::kSheet) return begin_with_least(corners);
+  if (corners.front() > corners.back()) std::ranges::reverse(corners);
 }
 
 }  // namespace
@@ -133,7 +120,7 @@ UnstableSurface UnstableSurfaces::Parts::Worker::surface(std::size_t record) {
   for (const SheetParts& sheet : found.sheets) {
     UnstableSheet& made = surface.sheets.emplace_back(UnstableSheet{names(sheet.facet), {}});
     for (const SurfaceEnd& end : sheet.corners) made.corners.push_back(corners_.exact(end));
-    if (!made.corners.empty()) make_canonical(made.corners);
+    if (!made.corners.empty()) make_canonical(made.corners, is_lesser_corner);
   }
   for (const SegmentParts& segment : found.segments) {
     surface.segments.push_back({names(segment.facet), flow_->exact(segment.start), corners_.exact(segment.end)});
@@ -168,22 +155,16 @@ void UnstableSurfaces::Parts::Worker::add_rounded(const EdgeParts& edge, Rounded
 
 // Where P spans a plane, the facet is between two lines, or beyond one of them. It is cut in two, across the lines.
 std::vector<UnstableSurfaces::Parts::Worker::Corners> UnstableSurfaces::Parts::Worker::whole_facet(FacetName facet) {
-  const auto at = [this](VertexIndex v) {
-    const Point& p = faces_.point(v);
-    return Vector3<Rational>{Rational(p.x), Rational(p.y), Rational(p.z)};
+  const auto at = [this](VertexIndex v) { return exact_position(faces_.point(v)); };
+  const auto direction = [this](const Rational& sign, const RationalPoint& u) {
+    return corners_.number(SurfaceCorner{as_direction(sign * u), true});
   };
-  const auto vector = [](const RationalPoint& x) { return Vector3<Rational>{x[0], x[1], x[2]}; };
-  const auto direction = [this](const Rational& sign, const Vector3<Rational>& u) {
-    const Rational largest = std::max({Rational(abs(u.x)), Rational(abs(u.y)), Rational(abs(u.z))}) * sign;
-    return corners_.number(SurfaceCorner{{u.x / largest, u.y / largest, u.z / largest}, true});
-  };
-  const Vector3<Rational> p0 = at(facet.v0), p1 = at(facet.v1), along = p1 - p0;
+  const RationalPoint p0 = at(facet.v0), p1 = at(facet.v1), along = p1 - p0;
   if (faces_.dimension() == 1) {
-    const Vector3<Rational> sum = p0 + p1;
-    const std::uint32_t m = corners_.number(SurfaceCorner{{sum.x / 2, sum.y / 2, sum.z / 2}});
-    Vector3<Rational> u{0, along.z, -along.y};
-    if (u.y == 0 && u.z == 0) u = {-along.z, 0, along.x};
-    const Vector3<Rational> v = cross(along, u);
+    const std::uint32_t m = corners_.number(SurfaceCorner{Rational(1, 2) * (p0 + p1)});
+    RationalPoint u{0, along[2], -along[1]};
+    if (is_zero(u)) u = {-along[2], 0, along[0]};
+    const RationalPoint v = cross(along, u);
     const std::uint32_t right = direction(1, u), up = direction(1, v), left = direction(-1, u), down = direction(-1, v);
     return {{m, right, up}, {m, up, left}, {m, left, down}, {m, down, right}};
   }
@@ -192,15 +173,15 @@ std::vector<UnstableSurfaces::Parts::Worker::Corners> UnstableSurfaces::Parts::W
     if (piece.is_finite()) lines.push_back(piece);
   }
   const SurfaceCorner first = corners_.middle_of_line(lines.front().polygon());
-  const Vector3<Rational> normal = cross(along, at(lines.front().apex) - p0);
-  Vector3<Rational> across = cross(along, normal);
+  const RationalPoint normal = cross(along, at(lines.front().apex) - p0);
+  RationalPoint across = cross(along, normal);
   std::uint32_t beyond = 0;
   if (lines.size() == 1) {
-    if (dot(across, at(lines.front().apex) - p0) > 0) across = Rational(-1) * across;
+    if (dot(across, at(lines.front().apex) - p0) > 0) across = -across;
     beyond = direction(1, across);
   } else {
     SurfaceCorner second = corners_.middle_of_line(lines.back().polygon());
-    across = vector(second.position) - vector(first.position);
+    across = second.position - first.position;
     beyond = corners_.number(std::move(second));
   }
   const Rational turn = dot(cross(normal, across), along) > 0 ? 1 : -1;

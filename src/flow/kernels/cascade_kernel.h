@@ -87,8 +87,7 @@ class CascadeKernel {
     if (x.kind != Kind::kCrossing) {
       const auto construct = [](const auto&... v) { return circumcenter(v...); };
       const std::span<const Point* const> simplex = std::span(p).first(x.kind == Kind::kCircle ? 3 : 4);
-      const Vector3<Rational> center = center_of(simplex, InRationals{*this}, construct);
-      return {center.x, center.y, center.z};
+      return exact_position(center_of(simplex, InRationals{*this}, construct));
     }
     return exact_crossing(x.from, {p[0], p[1]}, *p[2]);
   }
@@ -322,11 +321,8 @@ class CascadeKernel {
   struct InRationals {
     CascadeKernel& kernel;
 
-    Vector3<Rational> operator()(PointNumber x) const {
-      const RationalPoint p = kernel.exact(x);
-      return {p[0], p[1], p[2]};
-    }
-    Vector3<Rational> operator()(const Point& p) const { return {Rational(p.x), Rational(p.y), Rational(p.z)}; }
+    Vector3<Rational> operator()(PointNumber x) const { return exact_vector(kernel.exact(x)); }
+    Vector3<Rational> operator()(const Point& p) const { return exact_vector(p); }
   };
   template <class Query>
   [[nodiscard]] Sign sign_of_form(const Query& query) {

@@ -11,6 +11,7 @@
 #include "flowcert/rational.h"
 #include "geometry/contract.h"
 #include "geometry/integer_grid.h"
+#include "geometry/rational_point.h"
 
 namespace flowcert::flow {
 
@@ -48,14 +49,12 @@ using IntegerDirection = Vector3<BigInteger>;
 }
 
 [[nodiscard]] inline IntegerDirection exact_direction_from_position(const RationalPoint& x, FacetEdge facet) {
-  const Vector3<Rational> u{2 * x[0] - Rational(facet.p0->x) - Rational(facet.p1->x),
-                            2 * x[1] - Rational(facet.p0->y) - Rational(facet.p1->y),
-                            2 * x[2] - Rational(facet.p0->z) - Rational(facet.p1->z)};
-  const BigInteger common = lcm(BigInteger(lcm(denominator(u.x), denominator(u.y))), BigInteger(denominator(u.z)));
+  const RationalPoint u = Rational(2) * x - exact_position(*facet.p0) - exact_position(*facet.p1);
+  const BigInteger common = lcm(BigInteger(lcm(denominator(u[0]), denominator(u[1]))), BigInteger(denominator(u[2])));
   const auto scaled = [&](const Rational& value) {
     return BigInteger(numerator(value) * BigInteger(common / denominator(value)));
   };
-  return without_twos({scaled(u.x), scaled(u.y), scaled(u.z)});
+  return without_twos({scaled(u[0]), scaled(u[1]), scaled(u[2])});
 }
 
 // What one neighbour of a facet is to a direction, all on the neighbour's own grid.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "flow/kernels/kernel.h"
+#include "geometry/rational_point.h"
 
 namespace flowcert::flow {
 
@@ -12,7 +13,7 @@ class ExactKernel {
  public:
   explicit ExactKernel(KernelTally& tally) : tally_(tally) {}
 
-  [[nodiscard]] PointNumber add(const RationalPoint& x) { return points_.keep({x[0], x[1], x[2]}); }
+  [[nodiscard]] PointNumber add(const RationalPoint& x) { return points_.keep(exact_vector(x)); }
   [[nodiscard]] PointNumber add_crossing(PointNumber x, const Point& p0, const Point& p1, const Point& q) {
     ++tally_[FlowPrimitive::kCrossing].calls;
     return points_.keep(crossing(points_[x], in(p0), in(p1), in(q)));
@@ -34,10 +35,7 @@ class ExactKernel {
     return sign_of(query.form(In{points_})(points_[query.x]));
   }
 
-  [[nodiscard]] RationalPoint exact(PointNumber x) const {
-    const Vector3<Rational>& p = points_[x];
-    return {p.x, p.y, p.z};
-  }
+  [[nodiscard]] RationalPoint exact(PointNumber x) const { return exact_position(points_[x]); }
   // How many bytes a coordinate's numerator and denominator take.
   [[nodiscard]] std::optional<std::array<std::size_t, 3>> exact_bytes(PointNumber x) const {
     const auto bytes = [](mpz_srcptr integer) { return (mpz_sizeinbase(integer, 2) + 7) / 8; };
@@ -61,7 +59,7 @@ class ExactKernel {
     const Vector3<Rational>& operator()(PointNumber x) const { return points[x]; }
     Vector3<Rational> operator()(const Point& p) const { return in(p); }
   };
-  static Vector3<Rational> in(const Point& p) { return {Rational(p.x), Rational(p.y), Rational(p.z)}; }
+  static Vector3<Rational> in(const Point& p) { return exact_vector(p); }
 
   KernelTally& tally_;
   PointStorage<Vector3<Rational>> points_;
