@@ -150,7 +150,7 @@ std::optional<Point> BoundedDivisions::rounded_face(const DivisionPoint& point) 
   if (point.kind == Kind::kVertex) {
     std::ranges::for_each(diagram_.delaunay().vertices(point.from), add);
   } else {
-    std::ranges::for_each(diagram_.corners({point.from / 4, point.from % 4}), add);
+    std::ranges::for_each(diagram_.corners(PolygonRef::unpacked(point.from)), add);
   }
   const auto sphere = decided_sphere(geometry::bounded_sphere(std::span(samples).first(count)));
   return sphere ? std::optional(sphere->center) : std::nullopt;

@@ -59,7 +59,7 @@ RationalPoint ExactDivisions::position_of_face(const DivisionPoint& point) const
     const auto& v = diagram_.delaunay().vertices(point.from);
     return exact_position(circumcenter(at(v[0]), at(v[1]), at(v[2]), at(v[3])));
   }
-  const auto [a, b, c] = diagram_.corners({point.from / 4, point.from % 4});
+  const auto [a, b, c] = diagram_.corners(PolygonRef::unpacked(point.from));
   if (point.kind == Kind::kCenter) return exact_position(circumcenter(at(a), at(b), at(c)));
   const Vector3<Rational> outward = cross(at(b) - at(a), at(c) - at(a));
   return exact_position(Rational(point.apex == 1 ? 1 : -1) * outward);

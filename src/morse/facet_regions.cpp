@@ -38,7 +38,7 @@ class FacetWalk {
   [[nodiscard]] RegionCorner element(std::size_t k) const {
     if (sides_.vertex(k) != kNoCell) return {RegionCorner::Kind::kVertex, 0, sides_.vertex(k)};
     const auto [polygon, end] = sides_.end_at_infinity(k);
-    return {RegionCorner::Kind::kEnd, static_cast<std::uint8_t>(end), RingPiece::pack(polygon)};
+    return {RegionCorner::Kind::kEnd, static_cast<std::uint8_t>(end), polygon.packed()};
   }
   [[nodiscard]] RegionCorner corner_of(PointOfDivision number) const {
     const DivisionPoint& point = partition_.point(number);

@@ -144,7 +144,7 @@ const FacetSides& ForwardWalk::facet(FacetName name, CellIndex hint) {
 }
 
 ForwardWalk::Edge& ForwardWalk::edge(PolygonRef polygon) {
-  Edge& edge = edges_[RingPiece::pack(polygon)];
+  Edge& edge = edges_[polygon.packed()];
   edge.polygon = polygon;
   return edge;
 }

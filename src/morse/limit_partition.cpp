@@ -45,7 +45,7 @@ void LimitPartition::note_records() {
     if (place.kind == Place::Kind::kVertex) {
       of_vertex_[place.vertex] = static_cast<Limit>(record);
     } else {
-      record_of_edge_[RingPiece::pack(place.edge)] = static_cast<std::uint32_t>(record);
+      record_of_edge_[place.edge.packed()] = static_cast<std::uint32_t>(record);
     }
   }
 }
@@ -86,7 +86,7 @@ bool LimitPartition::request_vertex(CellIndex cluster) {
 }
 
 bool LimitPartition::request_edge(PolygonRef polygon) {
-  if (of_edge_[RingPiece::pack(polygon)] != kNotDivided) return true;
+  if (of_edge_[polygon.packed()] != kNotDivided) return true;
   const PolygonDriver driver = faces_.driver(polygon);
   if (driver.shape != Sign::kNegative) return divide_along(polygon);
   tasks_.push_back({false, driver.side, faces_.diagram().cell_of_side(polygon, driver.side)});
@@ -142,7 +142,7 @@ Limit LimitPartition::limit_at_end(PolygonRef polygon, std::size_t end) const {
 // The polygon contains its centre, and the edge runs away from that. If the centre lies on neither side of end 0, or
 // beyond it, all of the edge runs to end 1.
 bool LimitPartition::divide_along(PolygonRef polygon) {
-  const std::uint32_t record = record_of_edge_[RingPiece::pack(polygon)];
+  const std::uint32_t record = record_of_edge_[polygon.packed()];
   const bool has_center = record != kInfinityLimit;
   const bool starts_at_0 =
       !has_center && faces_.end(polygon, 0) != kNoCell && side_at(faces_.diagram(), polygon, 0) != Sign::kPositive;
@@ -156,7 +156,7 @@ bool LimitPartition::divide_along(PolygonRef polygon) {
   slice_.clear();
   if (has_center) {
     slice_.push_back({limit_at_end(polygon, 0)});
-    slice_.push_back({record, add({DivisionPoint::Kind::kCenter, RingPiece::pack(polygon)})});
+    slice_.push_back({record, add({DivisionPoint::Kind::kCenter, polygon.packed()})});
     fronts_.resize(points_.size());
     fronts_.back() = walk_.at_center(faces_.corners(polygon), polygon);
     slice_.push_back({limit_at_end(polygon, 1)});
@@ -170,7 +170,7 @@ bool LimitPartition::divide_along(PolygonRef polygon) {
 void LimitPartition::store(PolygonRef polygon, bool is_reversed) {
   if (is_reversed) std::ranges::reverse(slice_);
   ++divided_;
-  of_edge_[RingPiece::pack(polygon)] = static_cast<std::uint32_t>(divisions_.size());
+  of_edge_[polygon.packed()] = static_cast<std::uint32_t>(divisions_.size());
   divisions_.push_back({static_cast<Limit>(slice_.size())});
   divisions_.insert(divisions_.end(), slice_.begin(), slice_.end());
 }
@@ -308,8 +308,7 @@ FacetName LimitPartition::facet_of(std::size_t record) const {
 Division LimitPartition::direction_to_end(PolygonRef polygon, std::size_t end) {
   const CellIndex cluster = faces_.end(polygon, end);
   if (cluster != kNoCell) return {of_vertex_[cluster], point_at_vertex(cluster)};
-  return {kInfinityLimit,
-          add({DivisionPoint::Kind::kEnd, RingPiece::pack(polygon), {0, 0}, static_cast<VertexIndex>(end)})};
+  return {kInfinityLimit, add({DivisionPoint::Kind::kEnd, polygon.packed(), {0, 0}, static_cast<VertexIndex>(end)})};
 }
 
 void LimitPartition::directions_of_face_2(std::size_t record, std::vector<Division>& list) {

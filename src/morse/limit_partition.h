@@ -69,7 +69,7 @@ class LimitPartition {
   [[nodiscard]] Limit limit_of_vertex(CellIndex cluster) const { return of_vertex_[cluster]; }
   // From end 0 to end 1. Arcs and points take turns; both ends are arcs. Dimension 2 and 3.
   [[nodiscard]] std::span<const Division> edge(PolygonRef polygon) const {
-    const std::size_t header = of_edge_[RingPiece::pack(polygon)];
+    const std::size_t header = of_edge_[polygon.packed()];
     return std::span(divisions_).subspan(header + 1, divisions_[header].limit);
   }
   [[nodiscard]] const DivisionPoint& point(PointOfDivision number) const { return points_[number]; }

@@ -13,15 +13,14 @@
 
 namespace flowcert::morse {
 
-// A cell's number has 30 bits (CompactDelaunay), and that of its facet two.
-[[nodiscard]] inline std::uint32_t face_number(FacetRef facet) { return 4 * facet.cell + facet.index; }
-[[nodiscard]] inline std::uint32_t face_number(CellIndex cell) { return 4 * cell; }
+[[nodiscard]] inline std::uint32_t face_number(FacetRef facet) { return facet.packed(); }
+[[nodiscard]] inline std::uint32_t face_number(CellIndex cell) { return FacetRef{cell, 0}.packed(); }
 
 [[nodiscard]] inline PolygonRef edge_of_record(const StationaryPoints& list, std::size_t record) {
-  return {list.face(record) / 4, list.face(record) % 4};
+  return PolygonRef::unpacked(list.face(record));
 }
 [[nodiscard]] inline CellIndex cell_of_record(const StationaryPoints& list, std::size_t record) {
-  return list.face(record) / 4;
+  return edge_of_record(list, record).cell;
 }
 
 // For index 2 and 3 and all kinds.

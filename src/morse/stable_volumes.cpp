@@ -48,7 +48,7 @@ struct StableVolumes::Parts {
   struct VolumeTerm {
     enum class Kind : std::uint32_t {
       kCell,    // all of the cell `face`
-      kVertex,  // the pyramid over the facet `face`, 4 cell + index, from the Voronoi vertex of the cell
+      kVertex,  // the pyramid over the facet `face`, packed, from the Voronoi vertex of the cell
       kAfter,   // at the point of a division of the Voronoi edge `face`: the arc comes after it, towards end 1
       kBefore,  // the arc comes before it
     };
@@ -87,7 +87,7 @@ struct StableVolumes::Parts {
   [[nodiscard]] std::optional<std::vector<std::pair<PointId, double>>> rounded_shares(std::size_t record);
   [[nodiscard]] RationalVector at(VertexIndex v) const { return exact_vector(diagram.point(v)); }
   [[nodiscard]] Rational determinant(CellIndex cell) const;
-  [[nodiscard]] Rational pyramid(std::uint32_t face) const;
+  [[nodiscard]] Rational pyramid(FacetRef face) const;
   [[nodiscard]] Rational exact(const VolumeTerm& term);
   [[nodiscard]] Rational exact(Records records);
   void add_shares(const std::array<VertexIndex, 3>& triangle, const Rational& volume,
@@ -133,7 +133,8 @@ void StableVolumes::Parts::gather_cell(CellIndex cell, std::vector<VolumeTerm>& 
     return;
   }
   for (std::uint32_t i = 0; i < 4; ++i) {
-    if (limits[i] != kInfinityLimit) found.push_back({limits[i], VolumeTerm::Kind::kVertex, 4 * cell + i});
+    if (limits[i] != kInfinityLimit)
+      found.push_back({limits[i], VolumeTerm::Kind::kVertex, FacetRef{cell, i}.packed()});
   }
 }
 
@@ -143,7 +144,7 @@ void StableVolumes::Parts::gather_points(PolygonRef polygon, std::vector<VolumeT
     // The centre has the parameter 0.
     if (partition.point(edge[i].point).kind != DivisionPoint::Kind::kCrossing) continue;
     const auto add = [&](Limit limit, VolumeTerm::Kind kind) {
-      if (limit != kInfinityLimit) found.push_back({limit, kind, RingPiece::pack(polygon), edge[i].point});
+      if (limit != kInfinityLimit) found.push_back({limit, kind, polygon.packed(), edge[i].point});
     };
     add(edge[i - 1].limit, VolumeTerm::Kind::kBefore);
     add(edge[i + 1].limit, VolumeTerm::Kind::kAfter);
@@ -170,9 +171,9 @@ BoundedNumber StableVolumes::Parts::bounded(const BoundedDivisions& divisions_, 
     case VolumeTerm::Kind::kCell:
       return divisions_.determinant(diagram.delaunay().vertices(term.face));
     case VolumeTerm::Kind::kVertex: {
-      const auto [a, b, c] = diagram.corners({term.face / 4, term.face % 4});
-      BoundedNumber r =
-          divisions_.parameter_of_sphere(a, b, c, diagram.delaunay().vertices(term.face / 4)[term.face % 4]);
+      const auto [cell, index] = FacetRef::unpacked(term.face);
+      const auto [a, b, c] = diagram.corners({cell, index});
+      BoundedNumber r = divisions_.parameter_of_sphere(a, b, c, diagram.delaunay().vertices(cell)[index]);
       r.value = -r.value;
       return r;
     }
@@ -180,7 +181,7 @@ BoundedNumber StableVolumes::Parts::bounded(const BoundedDivisions& divisions_, 
     case VolumeTerm::Kind::kBefore:
       break;
   }
-  const PolygonRef polygon{term.face / 4, term.face % 4};
+  const PolygonRef polygon = PolygonRef::unpacked(term.face);
   const DivisionPoint& point = partition.point(term.point);
   const int turn = turn_of_same({point.facet.v0, point.facet.v1, point.apex}, diagram.corners(polygon));
   // Polygons with more than three samples are left to exact numbers.
@@ -236,10 +237,10 @@ Rational StableVolumes::Parts::determinant(CellIndex cell) const {
 }
 
 // Six times the signed volume over a facet of a cell, from the cell's Voronoi vertex.
-Rational StableVolumes::Parts::pyramid(std::uint32_t face) const {
-  const auto [a, b, c] = diagram.corners({face / 4, face % 4});
+Rational StableVolumes::Parts::pyramid(FacetRef face) const {
+  const auto [a, b, c] = diagram.corners(face);
   const RationalVector p0 = at(a), e = at(b) - p0, d = at(c) - p0;
-  const RationalVector apex = at(diagram.delaunay().vertices(face / 4)[face % 4]) - p0;
+  const RationalVector apex = at(diagram.delaunay().vertices(face.cell)[face.index]) - p0;
   const auto r = vertex_parameter(ApexPair<Rational>(e, d, apex), d);
   return -(r.num / r.den);
 }
@@ -253,10 +254,10 @@ std::vector<FacetRef> StableVolumes::Parts::triangles_of(PolygonRef polygon) con
 
 Rational StableVolumes::Parts::exact(const VolumeTerm& term) {
   if (term.kind == VolumeTerm::Kind::kCell) return determinant(term.face);
-  if (term.kind == VolumeTerm::Kind::kVertex) return pyramid(term.face);
+  if (term.kind == VolumeTerm::Kind::kVertex) return pyramid(FacetRef::unpacked(term.face));
   const DivisionPoint& point = partition.point(term.point);
   Rational ratio = 0;
-  for (const FacetRef triangle : triangles_of({term.face / 4, term.face % 4})) {
+  for (const FacetRef triangle : triangles_of(PolygonRef::unpacked(term.face))) {
     ratio += parameter_ratio<Rational>([this](VertexIndex v) { return at(v); },
                                        {point.facet.v0, point.facet.v1, point.apex}, diagram.corners(triangle));
   }
@@ -310,16 +311,17 @@ void StableVolumes::Parts::add_shares(const std::array<VertexIndex, 3>& triangle
 void StableVolumes::Parts::add_shares(const VolumeTerm& term, std::vector<std::pair<PointId, Rational>>& shares) {
   if (term.kind == VolumeTerm::Kind::kCell) {
     for (std::uint32_t i = 0; i < 4; ++i) {
-      add_shares(diagram.corners({term.face, i}), pyramid(4 * term.face + i), shares);
+      add_shares(diagram.corners({term.face, i}), pyramid({term.face, i}), shares);
     }
     return;
   }
   if (term.kind == VolumeTerm::Kind::kVertex) {
-    return add_shares(diagram.corners({term.face / 4, term.face % 4}), pyramid(term.face), shares);
+    const FacetRef face = FacetRef::unpacked(term.face);
+    return add_shares(diagram.corners(face), pyramid(face), shares);
   }
   const DivisionPoint& point = partition.point(term.point);
   const Rational r = divisions->parameter(term.point) * (term.kind == VolumeTerm::Kind::kBefore ? 1 : -1);
-  for (const FacetRef triangle : triangles_of({term.face / 4, term.face % 4})) {
+  for (const FacetRef triangle : triangles_of(PolygonRef::unpacked(term.face))) {
     const Rational ratio =
         parameter_ratio<Rational>([this](VertexIndex v) { return at(v); }, {point.facet.v0, point.facet.v1, point.apex},
                                   diagram.corners(triangle));
@@ -341,9 +343,10 @@ void StableVolumes::Parts::add_rounded_shares(const BoundedDivisions& divisions_
       shares.emplace_back(points.name(diagram.delaunay().ordinals[triangle[i]]), parts[i]);
     }
   };
-  if (term.kind != VolumeTerm::Kind::kCell) return add(term, diagram.corners({term.face / 4, term.face % 4}));
+  if (term.kind != VolumeTerm::Kind::kCell) return add(term, diagram.corners(PolygonRef::unpacked(term.face)));
   for (std::uint32_t i = 0; i < 4; ++i) {
-    add({term.limit, VolumeTerm::Kind::kVertex, 4 * term.face + i}, diagram.corners({term.face, i}));
+    const FacetRef face{term.face, i};
+    add({term.limit, VolumeTerm::Kind::kVertex, face.packed()}, diagram.corners(face));
   }
 }
 

@@ -14,7 +14,7 @@ void TraceOrder::clear() {
 
 // The edge is orthogonal to its polygon. All of its points differ in each coordinate in which the normal is not 0.
 TraceOrder::Axis TraceOrder::axis(PolygonRef polygon) {
-  const auto [known, is_new] = axes_.try_emplace(RingPiece::pack(polygon), Axis{0, 0});
+  const auto [known, is_new] = axes_.try_emplace(polygon.packed(), Axis{0, 0});
   if (!is_new) return known->second;
   const auto [a, b, c] = diagram_.corners(polygon);
   const auto at = [this](VertexIndex v) { return exact_position(diagram_.point(v)); };

@@ -37,6 +37,10 @@ struct FacetRef {
   CellIndex cell;
   std::uint32_t index;
 
+  // As one number, which fits (kMostCells).
+  [[nodiscard]] std::uint32_t packed() const { return 4 * cell + index; }
+  [[nodiscard]] static FacetRef unpacked(std::uint32_t packed) { return {packed / 4, packed % 4}; }
+
   friend auto operator<=>(const FacetRef&, const FacetRef&) = default;
 };
 

@@ -46,7 +46,7 @@ RingNumber FacetRings::add_ring(FacetName facet, CellIndex cell) {
 // Adds the passage to a polygon, through a Voronoi vertex or over a piece at infinity, and the polygon.
 void FacetRings::add_piece(CellIndex vertex_before, PolygonRef polygon, VertexIndex apex) {
   if (vertex_before == kNoCell) pieces_.push_back({kInfiniteVertex, kNoCell});
-  pieces_.push_back({apex, vertex_before, RingPiece::pack(polygon)});
+  pieces_.push_back({apex, vertex_before, polygon.packed()});
 }
 
 // Goes around v0 v1, counterclockwise seen from v1. In a positively oriented cell v0 v1 k l it goes from the facet
@@ -85,7 +85,7 @@ void FacetRings::add_spatial_pieces(FacetName facet, CellIndex start, RingNumber
     if (here && there && is_plain) {
       // No face is merged, so that the faces are those of the triangulation.
       pieces_.push_back(
-          {apex, cell, RingPiece::pack(next < cell ? PolygonRef{next, at_next.apex} : PolygonRef{cell, at.behind})});
+          {apex, cell, (next < cell ? PolygonRef{next, at_next.apex} : PolygonRef{cell, at.behind}).packed()});
     } else if ((here || there) && !(here && there && complex.cluster(cell) == complex.cluster(next))) {
       add_piece(here ? complex.cluster(cell) : kNoCell, diagram_.polygon({cell, at.behind}), apex);
     }
@@ -123,7 +123,7 @@ void FacetRings::sort_large_ring(const FacetRing& ring) {
 }
 
 std::size_t FacetRings::piece_of(const FacetRing& ring, PolygonRef polygon) const {
-  return place_of(ring, RingPiece::pack(polygon));
+  return place_of(ring, polygon.packed());
 }
 
 std::size_t FacetRings::place_of(const FacetRing& ring, std::uint32_t packed_polygon) const {

@@ -45,13 +45,12 @@ struct RingPiece {
 
   VertexIndex apex;                      // a point of the polygon other than v0 and v1
   CellIndex vertex;                      // the element before it: the cluster, or kNoCell for a direction
-  std::uint32_t packed = kAtInfinity;    // the polygon: 4 * cell + index
+  std::uint32_t packed = kAtInfinity;    // the polygon
   RingNumber next = RingLink::kUnknown;  // FacetRings::link(): the number of the piece that it leads to
 
-  [[nodiscard]] static std::uint32_t pack(PolygonRef polygon) { return 4 * polygon.cell + polygon.index; }
   [[nodiscard]] bool is_finite() const { return packed != kAtInfinity; }
   // The piece must be finite.
-  [[nodiscard]] PolygonRef polygon() const { return {packed / 4, packed % 4}; }
+  [[nodiscard]] PolygonRef polygon() const { return PolygonRef::unpacked(packed); }
 };
 
 // A ring is valid until the next facet is asked for. If there is no piece, the facet is a whole plane.

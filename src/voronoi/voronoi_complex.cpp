@@ -302,7 +302,7 @@ void VoronoiComplex::add_polygon(std::span<const FacetRef> facets) {
   if (polygon_of_.empty()) polygon_of_.resize(4 * std::size_t{delaunay_.finite_count});
   const auto mark = [this, id](FacetRef facet) {
     flags_[facet.cell] = static_cast<std::uint16_t>(flags_[facet.cell] | (16u << facet.index));
-    polygon_of_[4 * std::size_t{facet.cell} + facet.index] = id;
+    polygon_of_[facet.packed()] = id;
   };
   for (const FacetRef facet : facets) {
     mark(facet);

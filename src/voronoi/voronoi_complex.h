@@ -93,9 +93,7 @@ class VoronoiComplex {
     return std::span(polygon_facets_).subspan(polygon_first_[k], polygon_first_[k + 1] - polygon_first_[k]);
   }
   // The polygon that a piece belongs to; the piece may be given from either side.
-  [[nodiscard]] std::size_t large_polygon_of(FacetRef facet) const {
-    return polygon_of_[4 * std::size_t{facet.cell} + facet.index];
-  }
+  [[nodiscard]] std::size_t large_polygon_of(FacetRef facet) const { return polygon_of_[facet.packed()]; }
 
  private:
   // flags_[cell]: bit i, facet i is interior; bit 4 + i, facet i is a piece; kAlone.
@@ -130,7 +128,7 @@ class VoronoiComplex {
   std::vector<CellIndex> cluster_cells_;
   std::vector<std::size_t> polygon_first_{0};
   std::vector<FacetRef> polygon_facets_;
-  std::vector<std::uint32_t> polygon_of_;  // 4 a finite cell; empty where no polygon is large
+  std::vector<std::uint32_t> polygon_of_;  // by packed facet; empty where no polygon is large
 };
 
 // Names a Voronoi facet by the ends of its Delaunay edge.
