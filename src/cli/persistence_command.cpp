@@ -24,7 +24,7 @@
 #include "io/json_fields.h"
 #include "io/ordered_text.h"
 #include "io/output_file.h"
-#include "io/pair_lengths.h"
+#include "morse/value_order.h"
 
 namespace flowcert::cli {
 
@@ -124,7 +124,7 @@ constexpr std::size_t kLongestPairs = 5;  // of each dimension
 // Those that last come first. Of equally long pairs, the first in the list come first.
 std::vector<PersistencePair> longest_pairs(const Persistence& persistence, int dimension) {
   std::vector<PersistencePair> longest;
-  std::vector<io::PairEnds> ends;
+  std::vector<morse::PairEnds> ends;
   for (const PersistencePair& pair : persistence.pairs()) {
     if (pair.dimension != dimension) continue;
     if (pair.death) {
@@ -133,9 +133,9 @@ std::vector<PersistencePair> longest_pairs(const Persistence& persistence, int d
       longest.push_back(pair);
     }
   }
-  const io::ValueOrder order = io::length_order(persistence.squared_distances(), ends);
+  const morse::ValueOrder order = morse::length_order(persistence.squared_distances(), ends);
   for (std::size_t k = order.size(); k > 0 && longest.size() < kLongestPairs; --k) {
-    const io::PairEnds& pair = ends[order.at(k - 1)];
+    const morse::PairEnds& pair = ends[order.at(k - 1)];
     longest.push_back({dimension, pair.birth, pair.death});
   }
   return longest;

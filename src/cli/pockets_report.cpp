@@ -16,7 +16,7 @@
 #include "flowcert/rounded_sphere.h"
 #include "flowcert/saddle_radii.h"
 #include "geometry/difference_of_roots.h"
-#include "io/pair_lengths.h"
+#include "morse/value_order.h"
 
 namespace flowcert::cli {
 
@@ -28,12 +28,12 @@ constexpr double kAtomRadius = 1.7, kWaterRadius = 1.4;
 
 // The deepest come first; of equal depths, the first in the list.
 std::vector<std::size_t> by_depth(const Pockets& pockets) {
-  std::vector<io::PairEnds> ends;
+  std::vector<morse::PairEnds> ends;
   ends.reserve(pockets.size());
   for (std::size_t number = 0; number < pockets.size(); ++number) {
     ends.push_back({pockets[number].highest_mouth, pockets[number].peaks.front()});
   }
-  const io::ValueOrder order = io::length_order(pockets.squared_distances(), ends);
+  const morse::ValueOrder order = morse::length_order(pockets.squared_distances(), ends);
   std::vector<std::size_t> numbers;
   for (std::size_t k = order.size(); k > 0; --k) numbers.push_back(order.at(k - 1));
   return numbers;
@@ -148,13 +148,13 @@ class Report {
 
   void print_that_there_is_none() const {
     const Persistence& persistence = complex_.persistence();
-    std::vector<io::PairEnds> tunnels;
+    std::vector<morse::PairEnds> tunnels;
     for (const PersistencePair& pair : persistence.pairs()) {
       if (pair.dimension == 1) tunnels.push_back({pair.birth, pair.death.value()});
     }
     std::string longest = "There is none";
     if (!tunnels.empty()) {
-      const io::ValueOrder order = io::length_order(persistence.squared_distances(), tunnels);
+      const morse::ValueOrder order = morse::length_order(persistence.squared_distances(), tunnels);
       const auto [death, birth] = order.exact(order.size() - 1);
       const auto text = [this](const Rational& square, const Rational& less) {
         return decimals_.length(geometry::nearest_difference_of_roots(square, less));

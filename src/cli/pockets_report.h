@@ -7,8 +7,8 @@
 
 #include "cli/command.h"
 #include "cli/layer.h"
-#include "flowcert/histogram_valley.h"
 #include "flowcert/pockets.h"
+#include "flowcert/saddle_radii.h"
 #include "flowcert/write_pockets.h"
 
 namespace flowcert::cli {

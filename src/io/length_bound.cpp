@@ -3,9 +3,8 @@
 #include "geometry/floating_point.h"
 #include "io/layer.h"
 #include "io/line_reader.h"
-#include "io/log_histogram.h"
 #include "io/number_text.h"
-#include "io/value_order.h"
+#include "morse/log_histogram.h"
 
 namespace flowcert {
 
@@ -14,11 +13,6 @@ using namespace io;
 namespace {
 
 constexpr std::string_view kAutomatic = "auto", kSpacing = "spacing", kSquaredSpacing = "spacing^2";
-
-// The greatest integer that is not greater; the number is not negative.
-std::size_t whole_part(const Rational& number) {
-  return static_cast<std::size_t>(boost::multiprecision::mpz_int(numerator(number) / denominator(number)));
-}
 
 }  // namespace
 
@@ -47,7 +41,7 @@ LengthThreshold LengthBound::threshold(const ValueOrder& lengths, const std::opt
       if (number < 0) return {};
       return {number * number * (unit == Unit::kInput ? Rational(1) : squared_spacing.value_or(0)), {}};
     case Unit::kQuantile: {
-      const std::size_t shorter = lengths.size() - whole_part((1 - number) * lengths.size());
+      const std::size_t shorter = lengths.size() - part_of(lengths.size(), 1 - number);
       return {shorter > 0 ? std::optional(lengths.square_from_above(shorter - 1)) : std::nullopt, {}};
     }
     case Unit::kValley:

@@ -8,7 +8,7 @@
 #include "geometry/floating_point.h"
 #include "io/coordinate_rounding.h"
 #include "io/layer.h"
-#include "io/pair_lengths.h"
+#include "morse/value_order.h"
 
 namespace flowcert {
 

@@ -8,7 +8,7 @@
 #include "io/coordinate_rounding.h"
 #include "io/line_reader.h"
 #include "io/number_text.h"
-#include "io/pair_lengths.h"
+#include "morse/value_order.h"
 
 namespace flowcert {
 
@@ -23,11 +23,6 @@ constexpr std::string_view kLargestGaps = "largest-gaps=";
 std::string without_blanks(std::string text) {
   std::erase(text, ' ');
   return text;
-}
-
-// The greatest integer that is not greater; the number is not negative.
-std::size_t floor_of(const Rational& number) {
-  return static_cast<std::size_t>(boost::multiprecision::mpz_int(numerator(number) / denominator(number)));
 }
 
 std::vector<PairEnds> pairs_of_saddles(const FlowComplex& complex) {
@@ -91,7 +86,7 @@ std::optional<Rational> SurfaceSelection::squared_radius_of(const LengthBound& b
     case LengthBound::Unit::kSpacing:
       return square * radii.squared_spacing().value_or(0);
     case LengthBound::Unit::kQuantile: {
-      const std::size_t place = floor_of(bound.number * radii.size());
+      const std::size_t place = part_of(radii.size(), bound.number);
       return place < radii.size() ? std::optional(radii.squared_radius(place)) : std::nullopt;
     }
     case LengthBound::Unit::kValley:

@@ -10,6 +10,7 @@
 
 #include "geometry/difference_of_roots.h"
 #include "geometry/disjoint_sets.h"
+#include "geometry/value_range.h"
 
 namespace flowcert::morse {
 
@@ -65,7 +66,7 @@ class PocketMerging {
     const auto [length, inexact] = trees_.squared_distances().length(saddle, record);
     // The root's rounding is within this share of it, or comes from a square below the doubles.
     const double bound = std::sqrt(persistence_.square.convert_to<double>());
-    const double error = inexact + 0x1p-50 * bound + 0x1p-500;
+    const double error = inexact + kRoundingShare * bound + 0x1p-500;
     if (std::isfinite(bound) && length + error < bound) return true;
     if (length - error > bound) return false;
     const auto exact = [this](std::size_t at) { return trees_.squared_distances().exact(at); };

@@ -12,6 +12,7 @@
 #include "flowcert/exact_sphere.h"
 #include "geometry/filter_bounds.h"
 #include "geometry/floating_point.h"
+#include "geometry/value_range.h"
 #include "geometry/vector3.h"
 #include "morse/layer.h"
 
@@ -104,7 +105,7 @@ bool SquaredDistances::is_at_least(std::size_t record, const Rational& number) c
   const auto& [value, error] = approximate_[record];
   const double near = number.convert_to<double>();
   // The number is cut to a double, and the difference is rounded.
-  const double all_errors = error + 0x1p-50 * (value + std::fabs(near)) + 0x1p-1000;
+  const double all_errors = error + kRoundingShare * (value + std::fabs(near)) + 0x1p-1000;
   if (value - near > all_errors) return true;
   if (near - value > all_errors) return false;
   return exact(record) >= number;
@@ -119,7 +120,7 @@ Approximation SquaredDistances::length(std::size_t birth, std::size_t death) con
     return Approximation{value, error == 0 ? 0 : value > 0 ? error / value : std::sqrt(error)};
   };
   const Approximation from = root(birth), to = root(death);
-  return {to.value - from.value, from.error + to.error + (from.value + to.value) * 0x1p-50};
+  return {to.value - from.value, from.error + to.error + (from.value + to.value) * kRoundingShare};
 }
 
 SquaredDistances::SquaredDistances(const PointSet& points, const StationaryPoints& stationary)
@@ -130,35 +131,23 @@ SquaredDistances::SquaredDistances(const PointSet& points, const StationaryPoint
     const auto approximate = approximation_of(points, stationary.index(record), stationary.contact(record));
     approximate_.push_back(approximate ? *approximate : rounded(exact(record)));
   }
-  // The sums below are rounded. Twice a unit in the last place covers that.
-  const auto lowest = [this](std::uint32_t record) {
+  const auto range_of = [this](std::uint32_t record) {
     const auto& [value, error] = approximate_[record];
-    return value - error - value * 0x1p-51;
+    return range_around(value, error);
   };
-  const auto highest = [this](std::uint32_t record) {
-    const auto& [value, error] = approximate_[record];
-    return value + error + value * 0x1p-51;
-  };
-  std::vector<std::uint32_t> order(stationary.size());
-  std::iota(order.begin(), order.end(), std::uint32_t{0});
-  std::ranges::sort(order, {}, lowest);
+  // The samples come first, and their rank is 0.
+  const auto samples = static_cast<std::uint32_t>(stationary.critical_counts()[0]);
+  std::vector<std::uint32_t> order(stationary.size() - samples);
+  std::iota(order.begin(), order.end(), samples);
+  std::ranges::sort(order, {}, [&](std::uint32_t record) { return range_of(record).low; });
   std::vector<std::pair<Rational, std::uint32_t>> close;
-  std::uint32_t rank = 0;
-  for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
-    // A run of records whose ranges overlap.
-    double top = highest(order[first]);
-    for (last = first + 1; last < order.size() && lowest(order[last]) <= top; ++last) {
-      top = std::max(top, highest(order[last]));
-    }
-    if (top == 0) {  // the samples themselves
-      rank = 1;
-      continue;
-    }
+  std::uint32_t rank = 1;
+  for_each_overlap(std::span<const std::uint32_t>(order), range_of, [&](std::size_t first, std::size_t last) {
+    close.clear();
     if (last == first + 1) {
       rank_[order[first]] = rank++;
-      continue;
+      return;
     }
-    close.clear();
     for (std::size_t k = first; k < last; ++k) close.emplace_back(exact(order[k]), order[k]);
     std::ranges::sort(close);
     for (std::size_t k = 0; k < close.size(); ++k) {
@@ -166,7 +155,7 @@ SquaredDistances::SquaredDistances(const PointSet& points, const StationaryPoint
       rank_[close[k].second] = rank;
     }
     ++rank;
-  }
+  });
 }
 
 }  // namespace flowcert

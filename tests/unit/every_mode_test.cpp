@@ -34,7 +34,7 @@
 #include "flowcert/write_persistence.h"
 #include "flowcert/write_pockets.h"
 #include "flowcert/write_stationary_points.h"
-#include "io/value_order.h"
+#include "morse/value_order.h"
 #include "tests/cites.h"
 #include "tests/result_text.h"
 
@@ -474,7 +474,7 @@ void add_choices(Calls& calls, const Made& m) {
   calls.add("LengthBound::of", [] { return LengthBound::of("0.7spacing", "--option", 1); });
   const LengthBound third = LengthBound::of("0.3", "--option", 1);
   calls.add("LengthBound::threshold", [=] {
-    return third.threshold(io::ValueOrder({}, {}, [](std::size_t) { return geometry::RootDifference{0}; }),
+    return third.threshold(morse::ValueOrder({}, {}, [](std::size_t) { return geometry::RootDifference{0}; }),
                            Rational(1) / 9);
   });
   calls.add("medial_points", [&] {

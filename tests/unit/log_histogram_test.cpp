@@ -2,7 +2,7 @@
 //
 // Guarantees: lists are drawn with one heap, two, or many, of every width; most of them meet edges of bins exactly. The
 // run fails if valleys, or histograms without one, are rare.
-#include "io/log_histogram.h"
+#include "morse/log_histogram.h"
 
 #include <gtest/gtest.h>
 
@@ -20,8 +20,8 @@ namespace flowcert::log_histogram_test {
 namespace {
 
 using flowcert_tests::PortableRandom;
-using io::ValueOrder;
-using io::ValueRange;
+using geometry::ValueRange;
+using morse::ValueOrder;
 
 // Each with a doubtful bound or none, as those of critical points are.
 ValueOrder order_of(const std::vector<Rational>& squares) {
@@ -67,7 +67,7 @@ TEST(LogHistogram, BinsAndValleyAreThoseOfTheSpecification) {
     const std::vector<Rational> squares = drawn_squares(random);
     const Rational unit = random.coin() ? Rational(1) : Rational(random.between(1, 90), 7);
     const ValueOrder order = order_of(squares);
-    const std::vector<HistogramBin> bins = io::log_histogram(order, unit);
+    const std::vector<HistogramBin> bins = morse::log_histogram(order, unit);
     const std::vector<HistogramBin> expected = flowcert_tests::exact_histogram(squares, unit);
     ASSERT_EQ(bins.size(), expected.size()) << "seed " << seed;
     for (std::size_t k = 0; k < bins.size(); ++k) {
@@ -75,7 +75,7 @@ TEST(LogHistogram, BinsAndValleyAreThoseOfTheSpecification) {
       ASSERT_EQ(bins[k].to, expected[k].to) << "seed " << seed;
       ASSERT_EQ(bins[k].count, expected[k].count) << "seed " << seed;
     }
-    const auto found = io::placed_valley(order, unit);
+    const auto found = morse::placed_valley(order, unit);
     const auto threshold = flowcert_tests::exact_threshold(squares, unit);
     ASSERT_EQ(found.has_value(), threshold.has_value()) << "seed " << seed;
     coarse += !bins.empty() && bins.front().to >= 10 * bins.front().from ? 1 : 0;
@@ -103,7 +103,7 @@ std::vector<Rational> heaps_of(std::size_t first, std::size_t between, std::size
 
 TEST(LogHistogram, AValleyNeedsASecondHeapThatIsNoChance) {
   const auto has_valley = [](std::size_t first, std::size_t between, std::size_t second) {
-    return io::placed_valley(order_of(heaps_of(first, between, second)), 1).has_value();
+    return morse::placed_valley(order_of(heaps_of(first, between, second)), 1).has_value();
   };
   EXPECT_FALSE(has_valley(0, 0, 0));
   EXPECT_FALSE(has_valley(20, 0, 9));  // 9 * 9 = 9 * (9 + 0)

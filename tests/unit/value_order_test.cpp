@@ -2,7 +2,7 @@
 //
 // Guarantees: bounds are drawn that overlap often, are exact, or say nothing, and many numbers are equal, under one key
 // or several. Numbers are drawn as rationals, and given as roots or as differences of roots of the same value.
-#include "io/value_order.h"
+#include "morse/value_order.h"
 
 #include <gtest/gtest.h>
 
@@ -20,8 +20,8 @@ namespace flowcert::value_order_test {
 namespace {
 
 using geometry::RootDifference;
-using io::ValueOrder;
-using io::ValueRange;
+using geometry::ValueRange;
+using morse::ValueOrder;
 
 struct Drawn {
   std::vector<Rational> values;

@@ -10,14 +10,13 @@
 #include <string>
 #include <string_view>
 
-#include "flowcert/histogram_valley.h"
-#include "flowcert/rational.h"
+#include "flowcert/saddle_radii.h"
 
 namespace flowcert {
 
-namespace io {
+namespace morse {
 class ValueOrder;
-}  // namespace io
+}  // namespace morse
 
 struct LengthThreshold {
   std::optional<Rational> squared_length;
@@ -36,7 +35,8 @@ struct LengthBound {
 
   // The length that is meant. Nothing where the bound is below all lengths. For a valley, lengths that are not more
   // than `same_within` apart count once, where it is set.
-  [[nodiscard]] LengthThreshold threshold(const io::ValueOrder& lengths, const std::optional<Rational>& squared_spacing,
+  [[nodiscard]] LengthThreshold threshold(const morse::ValueOrder& lengths,
+                                          const std::optional<Rational>& squared_spacing,
                                           const std::optional<Rational>& same_within = std::nullopt) const;
 };
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "flowcert/flow_complex.h"
-#include "flowcert/histogram_valley.h"
+#include "flowcert/saddle_radii.h"
 
 namespace flowcert {
 

@@ -9,11 +9,10 @@
 #include <optional>
 #include <vector>
 
-#include "flowcert/histogram_valley.h"
-#include "io/layer.h"
-#include "io/value_order.h"
+#include "flowcert/saddle_radii.h"
+#include "morse/value_order.h"
 
-namespace flowcert::io {
+namespace flowcert::morse {
 
 // Of the positive numbers, which are roots, as multiples of the root of `squared_unit`: at most 30 bins. They
 // grow in ten steps from each power of ten to the next (1, 1.25, 1.6, 2, 2.5, 3.15, 4, 5, 6.3, 8), or in three (1, 2,
@@ -31,4 +30,4 @@ struct PlacedValley {
 };
 [[nodiscard]] std::optional<PlacedValley> placed_valley(const ValueOrder& roots, const Rational& squared_unit);
 
-}  // namespace flowcert::io
+}  // namespace flowcert::morse

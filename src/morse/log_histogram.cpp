@@ -1,10 +1,10 @@
-#include "io/log_histogram.h"
+#include "morse/log_histogram.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
-namespace flowcert::io {
+namespace flowcert::morse {
 
 // ---- The histogram ----
 
@@ -122,4 +122,4 @@ std::optional<PlacedValley> placed_valley(const ValueOrder& roots, const Rationa
   return PlacedValley{{bin, gap + 1, roots.size() - gap - 1}, gap};
 }
 
-}  // namespace flowcert::io
+}  // namespace flowcert::morse

@@ -6,13 +6,11 @@
 #include <utility>
 
 #include "geometry/floating_point.h"
-#include "io/log_histogram.h"
-#include "io/pair_lengths.h"
-#include "io/value_order.h"
+#include "morse/log_histogram.h"
 
 namespace flowcert {
 
-using namespace io;
+using namespace morse;
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "io/value_order.h"
+#include "morse/value_order.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,38 +9,28 @@
 
 #include "flowcert/rounded_sphere.h"
 
-namespace flowcert::io {
-
-using geometry::RootDifference;
+namespace flowcert::morse {
 
 ValueOrder::ValueOrder(std::vector<ValueRange> ranges, std::vector<std::uint64_t> keys, Exact exact)
     : ranges_(std::move(ranges)), keys_(std::move(keys)), exact_(std::move(exact)), order_(ranges_.size()) {
   std::iota(order_.rbegin(), order_.rend(), std::size_t{0});
   std::ranges::stable_sort(order_, {}, [this](std::size_t i) { return ranges_[i].low; });
-  for (std::size_t first = 0, last = 0; first < order_.size(); first = last) {
-    double top = ranges_[order_[first]].high;
-    for (last = first + 1; last < order_.size() && ranges_[order_[last]].low <= top; ++last) {
-      top = std::max(top, ranges_[order_[last]].high);
-    }
-    if (last > first + 1) sort_exactly(first, last);
-  }
+  const auto range_of = [this](std::size_t i) { return ranges_[i]; };
+  for_each_overlap(std::span<const std::size_t>(order_), range_of, [this](std::size_t first, std::size_t last) {
+    if (last > first + 1) sort_exactly(std::span(order_).subspan(first, last - first));
+  });
 }
 
 // Numbers of different keys may be equal, too.
-void ValueOrder::sort_exactly(std::size_t first, std::size_t last) {
+void ValueOrder::sort_exactly(std::span<std::size_t> run) {
   std::unordered_map<std::uint64_t, RootDifference> made;
-  std::vector<std::pair<const RootDifference*, std::size_t>> run;
-  for (std::size_t place = first; place < last; ++place) {
-    const std::size_t i = order_[place];
-    const auto [known, is_new] = made.try_emplace(keys_[i]);
-    if (is_new) known->second = exact_(i);
-    run.emplace_back(&known->second, i);
+  for (const std::size_t i : run) {
+    if (const auto [known, is_new] = made.try_emplace(keys_[i]); is_new) known->second = exact_(i);
   }
-  std::ranges::sort(run, [](const auto& a, const auto& b) {
-    const auto order = a.first == b.first ? std::strong_ordering::equal : *a.first <=> *b.first;
-    return order == 0 ? a.second > b.second : order < 0;
+  std::ranges::sort(run, [&](std::size_t i, std::size_t j) {
+    const auto order = keys_[i] == keys_[j] ? std::strong_ordering::equal : made.at(keys_[i]) <=> made.at(keys_[j]);
+    return order == 0 ? i > j : order < 0;
   });
-  for (std::size_t k = 0; k < run.size(); ++k) order_[first + k] = run[k].second;
 }
 
 std::size_t ValueOrder::count_below(const Rational& squared_bound) const {
@@ -55,13 +45,12 @@ std::size_t ValueOrder::count_up_to(const Rational& squared_bound) const {
   return static_cast<std::size_t>(end - order_.begin());
 }
 
-// The quotients are rounded, and so are numbers from above. Two units in the last place cover that, where they do not
-// underflow.
+// The quotients are rounded, and so are numbers from above.
 ValueRange ValueOrder::ratio_behind(std::size_t place) const {
   const ValueRange &less = ranges_[order_[place]], &greater = ranges_[order_[place + 1]];
   const double low = greater.low / less.high, high = greater.high / less.low;
-  return {greater.low > 0 && std::isfinite(low) ? low * (1 - 0x1p-50) : 0,
-          less.low > 0 && high >= 1 ? high * (1 + 0x1p-50) : HUGE_VAL};
+  return {greater.low > 0 && std::isfinite(low) ? low * (1 - kRoundingShare) : 0,
+          less.low > 0 && high >= 1 ? high * (1 + kRoundingShare) : HUGE_VAL};
 }
 
 std::optional<std::size_t> ValueOrder::widest_gap(std::size_t from, std::size_t to) const {
@@ -81,7 +70,7 @@ std::optional<std::size_t> ValueOrder::widest_gap(std::size_t from, std::size_t 
 
 ValueOrder ValueOrder::from_above() const {
   std::vector<ValueRange> ranges = ranges_;
-  for (ValueRange& range : ranges) range.high *= 1 + 0x1p-51;
+  for (ValueRange& range : ranges) range.high *= 1 + kRoundingShare;
   return {std::move(ranges), keys_,
           [exact = exact_](std::size_t i) { return RootDifference{geometry::square_from_above(exact(i))}; }};
 }
@@ -91,8 +80,7 @@ ValueOrder ValueOrder::from_above_once(const Rational& width) const {
   const double near_width = nearest_or_infinity(width);
   const auto is_wide = [&](std::size_t first, std::size_t second) {
     const ValueRange &less = all.ranges_[first], &greater = all.ranges_[second];
-    // The sums here are rounded.
-    const double slack = 0x1p-50 * (greater.high + near_width);
+    const double slack = kRoundingShare * (greater.high + near_width);
     if (greater.low - less.high > near_width + slack) return true;
     if (greater.high - less.low < near_width - slack) return false;
     const RootDifference difference{all.exact_(second).square, all.exact_(first).square};
@@ -112,4 +100,37 @@ ValueOrder ValueOrder::from_above_once(const Rational& width) const {
           [exact = all.exact_, chosen = std::move(chosen)](std::size_t k) { return exact(chosen[k]); }};
 }
 
-}  // namespace flowcert::io
+std::size_t part_of(std::size_t count, const Rational& share) {
+  const Rational part = share * count;
+  return static_cast<std::size_t>(boost::multiprecision::mpz_int(numerator(part) / denominator(part)));
+}
+
+// ---- Lengths and radii ----
+
+namespace {
+
+// The first record is a sample.
+constexpr std::size_t kSample = 0;
+
+}  // namespace
+
+ValueOrder length_order(const SquaredDistances& values, std::vector<PairEnds> pairs) {
+  std::vector<ValueRange> ranges;
+  std::vector<std::uint64_t> keys;
+  for (const auto& [birth, death] : pairs) {
+    const auto [value, error] = values.length(birth, death);
+    ranges.push_back(range_around(value, error));
+    keys.push_back(std::uint64_t{values.rank(birth)} << 32 | values.rank(death));
+  }
+  return {std::move(ranges), std::move(keys), [&values, ends = std::move(pairs)](std::size_t i) {
+            return RootDifference{values.exact(ends[i].death), values.exact(ends[i].birth)};
+          }};
+}
+
+ValueOrder radius_order(const SquaredDistances& values, std::vector<std::size_t> records) {
+  std::vector<PairEnds> pairs;
+  for (const std::size_t record : records) pairs.push_back({kSample, record});
+  return length_order(values, std::move(pairs));
+}
+
+}  // namespace flowcert::morse

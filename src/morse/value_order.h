@@ -9,18 +9,15 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
-#include "flowcert/rational.h"
+#include "flowcert/squared_distances.h"
 #include "geometry/difference_of_roots.h"
-#include "io/layer.h"
+#include "geometry/value_range.h"
+#include "morse/layer.h"
 
-namespace flowcert::io {
-
-// A number that is not negative lies between these.
-struct ValueRange {
-  double low = 0, high = 0;
-};
+namespace flowcert::morse {
 
 class ValueOrder {
  public:
@@ -53,7 +50,7 @@ class ValueOrder {
 
  private:
   [[nodiscard]] ValueOrder from_above() const;
-  void sort_exactly(std::size_t first, std::size_t last);
+  void sort_exactly(std::span<std::size_t> run);
   // What v(k + 1) / v(k) lies between.
   [[nodiscard]] ValueRange ratio_behind(std::size_t place) const;
 
@@ -63,4 +60,18 @@ class ValueOrder {
   std::vector<std::size_t> order_;
 };
 
-}  // namespace flowcert::io
+// The greatest whole number that is not greater than this share of the count, from 0 to 1.
+[[nodiscard]] std::size_t part_of(std::size_t count, const Rational& share);
+
+// Stationary points, by their places in the list.
+struct PairEnds {
+  std::size_t birth = 0, death = 0;
+};
+
+// The lengths of persistence pairs: the distance at the death less that at the birth, not squared. The values must
+// outlive the order.
+[[nodiscard]] ValueOrder length_order(const SquaredDistances& values, std::vector<PairEnds> pairs);
+// The radii of these records, by their places among them. The values must outlive the order.
+[[nodiscard]] ValueOrder radius_order(const SquaredDistances& values, std::vector<std::size_t> records);
+
+}  // namespace flowcert::morse

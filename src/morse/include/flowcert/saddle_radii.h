@@ -10,9 +10,30 @@
 #include <vector>
 
 #include "flowcert/flow_complex.h"
-#include "flowcert/histogram_valley.h"
 
 namespace flowcert {
+
+// ---- Histograms ----
+
+// `count` lengths are at least `from` and less than `to`, both multiples of a unit (the samples' spacing).
+struct HistogramBin {
+  Rational from, to;
+  std::size_t count = 0;
+};
+
+// The least bin between two heaps, where a threshold is put that nobody names, and how many lengths are below and
+// beyond it.
+struct HistogramValley {
+  HistogramBin bin;
+  std::size_t below = 0, beyond = 0;
+};
+
+// What `auto` found, and chose a threshold by. No valley: there is no threshold.
+struct AutomaticThreshold {
+  std::optional<HistogramValley> valley;
+};
+
+// ---- Radii ----
 
 // The square of the median, over all samples, of the distance from a sample to its nearest other one. Of an even number
 // of samples it is the lesser of the two in the middle. Nothing for fewer than two samples. (The midpoint of a sample
