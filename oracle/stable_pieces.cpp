@@ -13,27 +13,47 @@ namespace {
 
 const Point& point_of(const PointSet& set, std::size_t name) { return set.points[places_of(set, {name}).front()]; }
 
-// Whether x is on a segment from the apex to a point in the relative interior of the simplex of `base`. The segment
-// does not contain the apex. The apex is outside of the affine hull of the base.
-bool in_cone(const Point& apex, std::vector<Point> base, const Point& x) {
-  base.push_back(apex);
-  const auto weights = barycentric(base, x);
-  if (!weights || weights->back() < 0) return false;
-  for (std::size_t i = 0; i + 1 < weights->size(); ++i) {
-    if ((*weights)[i] <= 0) return false;
+// Whether x is on a segment from the apex to a point between the corners. The segment does not contain the apex. The
+// apex is outside of the affine hull of the corners, which are one or two.
+bool in_cone(const Point& apex, const std::vector<Corner>& corners, const Point& x) {
+  std::vector<Point> simplex = {apex};
+  for (const Corner& corner : corners) simplex.push_back(moved(apex, 1, way_to(corner, apex)));
+  const auto weights = barycentric(simplex, x);
+  if (!weights) return false;
+  Rational reach = 0;  // 1 between the corners
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if ((*weights)[i + 1] <= 0) return false;
+    if (!corners[i].at_infinity) reach += (*weights)[i + 1];
   }
-  return true;
+  return reach <= 1;
 }
 
 // Whether x is in such a cone with one of the apexes. A cone with apex p lies in the Voronoi cell of p. So only cones
 // with apexes in C(x) can contain x. `nearest` is C(x), by names.
 bool in_some_cone(const PointSet& set, const std::vector<std::size_t>& nearest, std::span<const std::size_t> apexes,
-                  const std::vector<Point>& base, const Point& x) {
-  for (const std::size_t p : apexes) {
-    if (!std::binary_search(nearest.begin(), nearest.end(), p)) continue;
-    if (in_cone(point_of(set, p), base, x)) return true;
-  }
-  return false;
+                  const std::vector<Corner>& corners, const Point& x) {
+  return std::any_of(apexes.begin(), apexes.end(), [&](std::size_t p) {
+    return std::binary_search(nearest.begin(), nearest.end(), p) && in_cone(point_of(set, p), corners, x);
+  });
+}
+
+// Whether x is in the cone over a sector whose apex is one of its two samples: between the apex and the sector's plane,
+// or on that, and the ray from the apex through x meets the sector.
+bool in_cone_over_sector(const PointSet& set, const Region& sector, std::size_t from, const Point& x) {
+  const Point &p0 = point_of(set, sector.samples[0]), &p1 = point_of(set, sector.samples[1]);
+  const Point &apex = from == 0 ? p0 : p1, axis = minus(from == 0 ? p1 : p0, apex), way = minus(x, apex);
+  const Rational height = dot(axis, way), full = dot(axis, axis);
+  if (height <= 0 || 2 * height > full) return false;
+  return is_in_region(sector.corners, axis, moved(apex, full / (2 * height), way), false);
+}
+
+// Whether the ray from the only nearest sample through x never comes to another Voronoi cell.
+bool stays_in_cell(const PointSet& set, const Point& x) {
+  const Places nearest = set.nearest_places(x);
+  if (nearest.size() != 1) return false;
+  const Point& p = set.points[nearest.front()];
+  return x != p && std::all_of(set.points.begin(), set.points.end(),
+                               [&](const Point& q) { return dot(minus(x, p), minus(q, p)) <= 0; });
 }
 
 // The corners of a convex polygon in cyclic order, from the first towards the lesser of its neighbours. b comes next
@@ -73,17 +93,16 @@ void append_walk(const PointSet& set, const StableSet& stable, const Point& fron
   std::rotate(ring.begin(), std::find(ring.begin(), ring.end(), a), ring.end());
   if (ring[1] == b) std::reverse(ring.begin() + 1, ring.end());
   for (std::size_t i = 1; i < ring.size(); ++i) {
-    append_walk(set, stable, segment->back, ring[i - 1], ring[i], walk);
+    append_walk(set, stable, segment->back.position, ring[i - 1], ring[i], walk);
   }
 }
 
-// The volume of the two cones over a sector (FC-VOL-01).
-Rational term_of(const PointSet& set, const Sector& sector) {
+// The volume of the two cones over a bounded sector (FC-VOL-01).
+Rational term_of(const PointSet& set, const Region& sector) {
+  const Point& first = sector.corners[0].position;
   Point normal;
-  for (std::size_t i = 0; i < sector.polygon.size(); ++i) {
-    const Point& a = sector.polygon[i];
-    const Point& b = sector.polygon[(i + 1) % sector.polygon.size()];
-    normal = moved(normal, 1, cross(minus(a, sector.polygon[0]), minus(b, sector.polygon[0])));
+  for (const auto& [a, b] : sides_of(sector.corners)) {
+    normal = moved(normal, 1, cross(minus(a.position, first), minus(b.position, first)));
   }
   const Point axis = minus(point_of(set, sector.samples[1]), point_of(set, sector.samples[0]));
   return abs(dot(normal, axis)) / 6;
@@ -96,7 +115,7 @@ std::vector<Triangle> triangles(const PointSet& set, const StableSet& stable) {
   std::vector<Triangle> result;
   for (const BackwardSegment& segment : stable.segments) {
     for (const std::size_t name : segment.samples) {
-      result.push_back({point_of(set, name), segment.front, segment.back});
+      result.push_back({point_of(set, name), segment.front.position, segment.back.position});
     }
   }
   return result;
@@ -107,7 +126,7 @@ std::vector<Rational> squared_areas(const PointSet& set, const StableSet& stable
   for (const BackwardSegment& segment : stable.segments) {
     for (const std::size_t name : segment.samples) {
       const Point p = point_of(set, name);
-      const Point normal = cross(minus(segment.front, p), minus(segment.back, p));
+      const Point normal = cross(way_to(segment.front, p), way_to(segment.back, p));
       squares.push_back(dot(normal, normal) / 4);
     }
   }
@@ -128,10 +147,10 @@ std::vector<std::size_t> boundary_walk(const PointSet& set, const StationaryPoin
 
 std::vector<std::array<std::size_t, 2>> boundary_edges(const StableSet& stable) {
   if (stable.has_vertex) throw std::invalid_argument("not a disc without Voronoi vertices");
-  std::map<Point, std::set<std::size_t>> odd;  // w -> all p with side p w in an odd number of them
+  std::map<Corner, std::set<std::size_t>> odd;  // w -> all p with side p w in an odd number of them
   for (const BackwardSegment& segment : stable.segments) {
     for (const std::size_t p : segment.samples) {
-      for (const Point* w : {&segment.front, &segment.back}) {
+      for (const Corner* w : {&segment.front, &segment.back}) {
         if (!odd[*w].insert(p).second) odd[*w].erase(p);
       }
     }
@@ -145,9 +164,9 @@ std::vector<std::array<std::size_t, 2>> boundary_edges(const StableSet& stable) 
 }
 
 std::size_t segments_without_intervals(const StationaryPoint& z, const StableSet& stable) {
-  std::multimap<Point, const BackwardSegment*> by_front;
+  std::multimap<Corner, const BackwardSegment*> by_front;
   for (const BackwardSegment& segment : stable.segments) by_front.emplace(segment.front, &segment);
-  std::vector<Point> fronts = {z.center};
+  std::vector<Corner> fronts = {z.center};
   std::size_t count = 0;
   for (std::size_t k = 0; k < fronts.size(); ++k) {
     const auto [first, last] = by_front.equal_range(fronts[k]);
@@ -170,32 +189,18 @@ bool has_tie(const StableSet& stable) {
 
 Rational volume(const PointSet& set, const StableSet& stable) {
   Rational sum = 0;
-  for (const Sector& sector : stable.sectors) sum += term_of(set, sector);
+  for (const Region& sector : stable.sectors) sum += term_of(set, sector);
   return sum;
 }
 
 std::vector<Rational> shares(const PointSet& set, const StableSet& stable) {
   std::vector<Rational> result(set.points.size(), 0);
-  for (const Sector& sector : stable.sectors) {
+  for (const Region& sector : stable.sectors) {
+    if (is_unbounded(sector)) continue;
     const Rational half = term_of(set, sector) / 2;
     for (const std::size_t p : sector.samples) result[places_of(set, {p}).front()] += half;
   }
   return result;
-}
-
-// Take the planes through the apex and the sector's sides. Inside the cone, x is strictly on one side of all of them.
-// Points of the opposite cone are so, too; the height excludes them.
-bool in_cone_over_sector(const Point& apex, const Point& other, const std::vector<Point>& rays, const Point& x) {
-  const Point axis = minus(other, apex);
-  const Rational height = dot(axis, minus(x, apex));
-  if (height <= 0 || 2 * height > dot(axis, axis)) return false;
-  std::size_t left = 0, right = 0;
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    const int side = dot(cross(rays[i], rays[(i + 1) % rays.size()]), minus(x, apex)).sign();
-    if (side > 0) ++left;
-    if (side < 0) ++right;
-  }
-  return left == rays.size() || right == rays.size();
 }
 
 bool contains(const PointSet& set, const StableSet& stable, const Point& x) {
@@ -206,19 +211,18 @@ bool contains(const PointSet& set, const StableSet& stable, const Point& x) {
   for (const BackwardSegment& s : stable.segments) {
     if (in_some_cone(set, nearest, s.samples, {s.front, s.back}, x)) return true;
   }
-  for (const BackwardInterval& i : stable.intervals) {
-    if (in_some_cone(set, nearest, i.polygon, {i.front, i.back}, x)) return true;
-  }
-  for (const Sector& s : stable.sectors) {
-    const Point &p0 = point_of(set, s.samples[0]), &p1 = point_of(set, s.samples[1]);
-    std::vector<Point> from_p0, from_p1;
-    for (const Point& corner : s.polygon) {
-      from_p0.push_back(minus(corner, p0));
-      from_p1.push_back(minus(corner, p1));
+  for (const auto* parts : {&stable.intervals, &stable.crossed}) {
+    for (const EdgePart& part : *parts) {
+      if (in_some_cone(set, nearest, part.polygon, {part.front, part.back}, x)) return true;
     }
-    if (in_cone_over_sector(p0, p1, from_p0, x) || in_cone_over_sector(p1, p0, from_p1, x)) return true;
   }
-  return false;
+  return std::any_of(stable.sectors.begin(), stable.sectors.end(), [&](const Region& s) {
+    return in_cone_over_sector(set, s, 0, x) || in_cone_over_sector(set, s, 1, x);
+  });
+}
+
+bool flows_to_infinity(const PointSet& set, const StableSet& infinity, const Point& x) {
+  return stays_in_cell(set, x) || contains(set, infinity, x);
 }
 
 }  // namespace oracle

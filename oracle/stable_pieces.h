@@ -42,14 +42,14 @@ bool has_tie(const StableSet& stable);
 // FC-VOL-01.
 Rational volume(const PointSet& set, const StableSet& stable);
 
-// FC-VOL-02: how much of that is in the Voronoi cell of each sample, in the order of set.points.
+// FC-VOL-02: how much of that is in the Voronoi cell of each sample, in the order of set.points. For infinity,
+// unbounded sectors do not count. The facets of a bounded cell have none, so that the share of its sample is right.
 std::vector<Rational> shares(const PointSet& set, const StableSet& stable);
 
-// Whether x is in the cone over a sector. `apex` is one of the two samples, and `other` is its mirror image. The rays
-// go from the apex to the sector's corners, in cyclic order.
-bool in_cone_over_sector(const Point& apex, const Point& other, const std::vector<Point>& rays, const Point& x);
-
-// Whether x is in the stable set.
+// Whether x is in the stable set of a stationary point, or in a cone over the skeleton of infinity.
 bool contains(const PointSet& set, const StableSet& stable, const Point& x);
+
+// Whether the orbit of x goes to infinity, from the skeleton of infinity alone (FC-STAB-08).
+bool flows_to_infinity(const PointSet& set, const StableSet& infinity, const Point& x);
 
 }  // namespace oracle

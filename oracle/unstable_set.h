@@ -1,24 +1,19 @@
 // Which ways lead out of a stationary point y, and where they end, from the definitions alone (FC-UNST-01 to 03).
 //
-// Directions from y form a circle, an arc, two directions, one, or none. They are split by where the orbits of the
-// points just beyond y end. A family of rays is followed through Voronoi facets. All of its places are linear
-// functions of one parameter, and one scan over all points finds where the rays leave a facet. Exact, for any finite
-// point set of any dimension.
+// Directions from y form a circle, an arc, two directions, one, or none. The limit of one is found by the orbit of a
+// point just beyond y. Limits can change only at some directions, which break the arc. To find these, a family of rays
+// is followed through Voronoi facets. All of its places are linear functions of one parameter, and one scan over all
+// points finds where the rays leave a facet. Exact, for any finite point set of any dimension.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <vector>
 
+#include "oracle/pieces.h"
 #include "oracle/stationary_points.h"
 
 namespace oracle {
-
-// A vector, scaled so that its largest coordinate is 1 or -1.
-using Direction = Point;
-
-// The vector must not be zero.
-Direction as_direction(const Point& vector);
 
 // One direction, or an open arc of them that turns counterclockwise, seen from the sample with the greater name. If
 // the arc is the whole circle, it has no ends.

@@ -11,10 +11,12 @@
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "oracle/line_intervals.h"
 #include "oracle/orbit.h"
+#include "oracle/unstable_set.h"
 
 namespace oracle {
 
@@ -39,7 +41,7 @@ struct EdgeLine {
   }
   [[nodiscard]] Corner at(const Coordinate& x) const {
     if (x.infinite != 0) return {as_direction(scaled(normal, x.infinite)), true};
-    return {moved(centre, x.value, normal), false};
+    return moved(centre, x.value, normal);
   }
 
   std::vector<Point> corners;
@@ -77,37 +79,9 @@ struct FacetRays {
 
 bool is_side_at_infinity(const Corner& a, const Corner& b) { return a.at_infinity && b.at_infinity; }
 
-// The part of the facet between two rays from m, which are less than half a circle apart.
-std::vector<Corner> part_of_facet(const PointSet& set, std::size_t p, const Point& m, const Corner& first,
-                                  const Corner& last) {
-  std::vector<Corner> part = {{m, false}, first, last};
-  for (const Point& q : set.points) part = clipped(part, set.points[p], q);
-  return part;
-}
-
-// Corners of a convex region, in cyclic order: by their angles around an inner point.
-std::vector<Corner> around(const std::set<Corner>& corners, const Point& axis) {
-  Point sum = {};
-  Rational count = 0;
-  for (const Corner& x : corners) {
-    if (!x.at_infinity) sum = moved(sum, 1, x.position), count += 1;
-  }
-  Point inner = scaled(sum, 1 / count);
-  for (const Corner& x : corners) {
-    if (x.at_infinity) inner = moved(inner, 1, x.position);
-  }
-  const Point first = way_to(*corners.begin(), inner);
-  const auto is_beyond = [&](const Point& w) {  // half a turn
-    const int sine = dot(axis, cross(first, w)).sign();
-    return sine < 0 || (sine == 0 && dot(first, w) < 0);
-  };
-  std::vector<Corner> ordered(corners.begin(), corners.end());
-  std::sort(ordered.begin(), ordered.end(), [&](const Corner& a, const Corner& b) {
-    const Point u = way_to(a, inner), v = way_to(b, inner);
-    if (is_beyond(u) != is_beyond(v)) return is_beyond(v);
-    return dot(axis, cross(u, v)) > 0;
-  });
-  return ordered;
+Corner end_of(const FlowSegment& segment) {
+  if (segment.end) return *segment.end;
+  return {as_direction(minus(segment.start, segment.driver)), true};
 }
 
 // ---- The search ----
@@ -116,8 +90,8 @@ class ForwardSearch {
  public:
   explicit ForwardSearch(const PointSet& set) : set_(set), dimension_(affine_dimension(set.points)) {}
 
-  // All that flows from the closed Voronoi facet of these samples, without their midpoint.
-  void add_root(const Places& samples);
+  // All that flows from the closed Voronoi facet of F, without y.
+  void add_root(const StationaryPoint& y);
   UnstableSurface surface();
 
  private:
@@ -126,7 +100,7 @@ class ForwardSearch {
   };
   struct Facet {
     std::vector<Interval> rays;
-    std::vector<UnstableSegment> segments;
+    std::vector<Crossing> segments;
   };
   using Samples = std::array<std::size_t, 2>;  // places
 
@@ -148,36 +122,35 @@ class ForwardSearch {
   std::set<Point> points_, vertices_;
   std::map<Places, Edge> edges_;
   std::map<Samples, Facet> facets_;
-  UnstableSheet root_;
+  Region root_;
 };
 
-// The facet is taken by quarters of the circle around its midpoint. Their corners that are no Voronoi vertices are no
-// corners of the facet.
-void ForwardSearch::add_root(const Places& samples) {
-  const Point &p0 = set_.points[samples[0]], &p1 = set_.points[samples[1]];
-  const Point m = midpoint(p0, p1), axis = minus(p1, p0);
-  const Point first = axis[0] != 0 || axis[1] != 0 ? cross(axis, {0, 0, 1}) : cross(axis, {1, 0, 0});
-  const Point second = cross(axis, first);
-  const std::array<Point, 4> ways = {first, second, scaled(first, -1), scaled(second, -1)};
-  std::set<Corner> corners;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Corner from = {as_direction(ways[k]), true}, to = {as_direction(ways[(k + 1) % 4]), true};
-    const std::vector<Corner> part = part_of_facet(set_, samples[0], m, from, to);
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      const Corner &a = part[i], &b = part[(i + 1) % part.size()];
+// The facet is taken by the arcs of the directions of y, in their order. The corners of these parts that are no Voronoi
+// vertices, and no ends of unbounded Voronoi edges, are no corners of the facet.
+void ForwardSearch::add_root(const StationaryPoint& y) {
+  const Places face = face_of(set_, y);
+  const std::vector<Point> contact_of_y = select(set_.points, places_of(set_, y.contact));
+  std::vector<Corner> corners;
+  const auto add_corner = [&](const Corner& x) {
+    if (corners.empty() || corners.back() != x) corners.push_back(x);
+  };
+  for (const auto& [first, last] : free_directions(contact_of_y, set_.points[face[0]], set_.points[face[1]]).arcs) {
+    const std::vector<Corner> part = in_cell(set_, face[0], {y.center, {first, true}, {last, true}});
+    for (const auto& [a, b] : sides_of(part)) {
       const int dimension = a.at_infinity ? 0 : dimension_of(set_.nearest_places(a.position));
       if (dimension >= 2) add_point(a.position);
-      if (dimension == 3) corners.insert(a);
+      if (dimension == 3) add_corner(a);
       if (a == b || is_side_at_infinity(a, b)) continue;
       const Places contact = set_.nearest_places(between(a, b));
       if (dimension_of(contact) != 2) continue;
       add_interval(contact, a, b);
-      if (a.at_infinity) corners.insert(a);
-      if (b.at_infinity) corners.insert(b);
+      if (a.at_infinity) add_corner(a);
+      if (b.at_infinity) add_corner(b);
     }
   }
-  root_ = {names({samples[0], samples[1]}), {}};
-  if (dimension_ == 3) root_.corners = canonical(around(corners, axis));
+  if (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
+  root_ = {names({face[0], face[1]}), {}};
+  if (dimension_ == 3) root_.corners = canonical(corners);
 }
 
 void ForwardSearch::add_point(const Point& x) {
@@ -186,34 +159,26 @@ void ForwardSearch::add_point(const Point& x) {
   const int dimension = dimension_of(contact);
   if (dimension == 3) vertices_.insert(x);
   if (dimension == 2) {
-    const Coordinate at = EdgeLine(set_, contact).coordinate({x, false});
+    const Coordinate at = EdgeLine(set_, contact).coordinate(x);
     edges_[contact].arrived.push_back({at, at, true, true});
   }
   const auto segment = flow_segment(set_, x);
   if (!segment) return;
   const Places crossed = places_of(set_, segment->crossed_contact);
   if (dimension_of(crossed) == 2) {
-    add_run_to(crossed, {x, false}, *segment);
+    add_run_to(crossed, x, *segment);
   } else {
     const Samples samples = {crossed.at(0), crossed.at(1)};
-    const Corner end =
-        segment->end ? Corner{*segment->end, false} : Corner{as_direction(minus(x, segment->driver)), true};
-    const Coordinate ray = FacetRays(set_, samples).coordinate({x, false});
+    const Coordinate ray = FacetRays(set_, samples).coordinate(x);
     facets_[samples].rays.push_back({ray, ray, true, true});
-    facets_[samples].segments.push_back({names(samples), x, end});
+    facets_[samples].segments.push_back({names(samples), end_of(*segment), x});
   }
   if (segment->end) add_point(*segment->end);
 }
 
-// The points of an open interval of a Voronoi edge. A whole line is cut at the centre of its polygon.
+// The points of an open interval of a Voronoi edge. One of its ends at least is finite.
 void ForwardSearch::add_interval(const Places& polygon, const Corner& a, const Corner& b) {
   const EdgeLine line(set_, polygon);
-  if (is_side_at_infinity(a, b)) {
-    add_point(line.centre);
-    add_interval(polygon, a, {line.centre, false});
-    add_interval(polygon, {line.centre, false}, b);
-    return;
-  }
   const auto [from, to] = std::minmax({line.coordinate(a), line.coordinate(b)});
   const Interval interval = {from, to};
   std::vector<Interval>& arrived = edges_[polygon].arrived;
@@ -238,9 +203,7 @@ void ForwardSearch::add_run(const Places& polygon, const EdgeLine& line, const C
 // The open interval from x to the end of the segment, which runs along a Voronoi edge.
 void ForwardSearch::add_run_to(const Places& polygon, const Corner& x, const FlowSegment& segment) {
   const EdgeLine line(set_, polygon);
-  const Corner end =
-      segment.end ? Corner{*segment.end, false} : Corner{as_direction(minus(segment.start, segment.driver)), true};
-  const auto [from, to] = std::minmax({line.coordinate(x), line.coordinate(end)});
+  const auto [from, to] = std::minmax({line.coordinate(x), line.coordinate(end_of(segment))});
   edges_[polygon].run.push_back({from, to});
   if (segment.end) add_point(*segment.end);
 }
@@ -253,9 +216,8 @@ void ForwardSearch::add_fan(const Places& polygon, const Corner& a, const Corner
   const auto [from, to] = std::minmax({rays.coordinate(a), rays.coordinate(b)});
   facets_[samples].rays.push_back({from, to});
   const Corner first = rays.direction(from), last = rays.direction(to);
-  const std::vector<Corner> part = part_of_facet(set_, samples[0], rays.m, first, last);
-  for (std::size_t i = 0; i < part.size(); ++i) {
-    const Corner &c = part[i], &d = part[(i + 1) % part.size()];
+  const std::vector<Corner> part = in_cell(set_, samples[0], {rays.m, first, last});
+  for (const auto& [c, d] : sides_of(part)) {
     if (!c.at_infinity && !in_line(c, rays.m, first) && !in_line(c, rays.m, last)) add_point(c.position);
     if (c == d || is_side_at_infinity(c, d) || in_line(c, rays.m, d)) continue;
     const Places contact = set_.nearest_places(between(c, d));
@@ -288,8 +250,7 @@ void ForwardSearch::list_edge(const Places& polygon, const Edge& edge, UnstableS
 // A ray at the end of a sheet that does not belong to it has no point in the open facet.
 void ForwardSearch::require_closed(const Places& samples, const std::vector<Corner>& part, const FacetRays& rays,
                                    const Coordinate& end) const {
-  for (std::size_t i = 0; i < part.size(); ++i) {
-    const Corner &a = part[i], &b = part[(i + 1) % part.size()];
+  for (const auto& [a, b] : sides_of(part)) {
     const bool is_on_ray =
         !is_side_at_infinity(a, b) && a != b && rays.coordinate(a) == end && rays.coordinate(b) == end;
     if (is_on_ray && set_.nearest_places(between(a, b)) == samples) {
@@ -303,13 +264,13 @@ void ForwardSearch::list_facet(const Samples& samples, const Facet& facet, Unsta
   for (const Interval& interval : components(facet.rays)) {
     if (interval.is_point()) {
       result.segments.push_back(*std::find_if(facet.segments.begin(), facet.segments.end(), [&](const auto& segment) {
-        return rays.coordinate({segment.start, false}) == interval.from;
+        return rays.coordinate(segment.back) == interval.from;
       }));
     } else if (dimension_ < 3) {
       result.sheets.push_back({names(samples), {}});
     } else {
       const Corner first = rays.direction(interval.from), last = rays.direction(interval.to);
-      const std::vector<Corner> part = part_of_facet(set_, samples[0], rays.m, first, last);
+      const std::vector<Corner> part = in_cell(set_, samples[0], {rays.m, first, last});
       if (!interval.has_from) require_closed({samples[0], samples[1]}, part, rays, interval.from);
       if (!interval.has_to) require_closed({samples[0], samples[1]}, part, rays, interval.to);
       result.sheets.push_back({names(samples), canonical(part)});
@@ -326,7 +287,9 @@ UnstableSurface ForwardSearch::surface() {
   std::sort(result.traces.begin(), result.traces.end());
   std::sort(result.runs.begin(), result.runs.end());
   std::sort(result.sheets.begin(), result.sheets.end());
-  std::sort(result.segments.begin(), result.segments.end());
+  const auto key = [](const Crossing& segment) { return std::tie(segment.samples, segment.back); };
+  std::sort(result.segments.begin(), result.segments.end(),
+            [&](const Crossing& a, const Crossing& b) { return key(a) < key(b); });
   return result;
 }
 
@@ -334,22 +297,10 @@ UnstableSurface ForwardSearch::surface() {
 
 // Whether x, on the line of the ends, is between them, or is one of them and `is_closed`.
 bool is_between(const Corner& from, const Corner& to, const Point& x, bool is_closed) {
-  if (Corner{x, false} == from || Corner{x, false} == to) return is_closed;
+  if (from == x || to == x) return is_closed;
   if (is_side_at_infinity(from, to)) return true;
   const Point u = way_to(from, x), v = way_to(to, x);
   return cross(u, v) == Point{} && dot(u, v) < 0;
-}
-
-// Whether x, in the plane of the region with these corners, is in it or on a side of it.
-bool is_in_region(const std::vector<Corner>& corners, const Point& axis, const Point& x) {
-  std::size_t left = 0, right = 0;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Point u = way_to(corners[i], x), v = way_to(corners[(i + 1) % corners.size()], x);
-    const int side = dot(axis, cross(u, v)).sign();
-    if (side >= 0) ++left;
-    if (side <= 0) ++right;
-  }
-  return left == corners.size() || right == corners.size();
 }
 
 }  // namespace
@@ -357,7 +308,7 @@ bool is_in_region(const std::vector<Corner>& corners, const Point& axis, const P
 UnstableSurface unstable_surface(const PointSet& set, const StationaryPoint& y) {
   if (y.face_dimension != 1) throw std::invalid_argument("only points of index 1, 1-2 and 1-3 have sheets");
   ForwardSearch search(set);
-  search.add_root(face_of(set, y));
+  search.add_root(y);
   return search.surface();
 }
 
@@ -367,7 +318,7 @@ bool contains(const PointSet& set, const UnstableSurface& surface, const Point& 
   const int dimension = affine_dimension(samples);
   const auto is_part_with_x = [&](bool is_closed) {
     return [&, is_closed](const EdgePart& part) {
-      return part.polygon == contact && is_between(part.from, part.to, x, is_closed);
+      return part.polygon == contact && is_between(part.front, part.back, x, is_closed);
     };
   };
   if (dimension == 3) return std::binary_search(surface.vertices.begin(), surface.vertices.end(), x);
@@ -379,10 +330,9 @@ bool contains(const PointSet& set, const UnstableSurface& surface, const Point& 
   const auto is_there = [&](const auto& part) { return part.samples == std::array{contact[0], contact[1]}; };
   const Point axis = minus(samples[1], samples[0]);
   return std::any_of(surface.sheets.begin(), surface.sheets.end(),
-                     [&](const UnstableSheet& s) { return is_there(s) && is_in_region(s.corners, axis, x); }) ||
-         std::any_of(surface.segments.begin(), surface.segments.end(), [&](const UnstableSegment& s) {
-           return is_there(s) && is_between({s.start, false}, s.end, x, false);
-         });
+                     [&](const Region& s) { return is_there(s) && is_in_region(s.corners, axis, x, true); }) ||
+         std::any_of(surface.segments.begin(), surface.segments.end(),
+                     [&](const Crossing& s) { return is_there(s) && is_between(s.back, s.front, x, false); });
 }
 
 }  // namespace oracle

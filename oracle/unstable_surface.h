@@ -5,59 +5,21 @@
 // forward from y, by scans over all points. Exact, for any finite point set of any dimension.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <tuple>
 #include <vector>
 
-#include "oracle/corners.h"
+#include "oracle/pieces.h"
 #include "oracle/stationary_points.h"
 
 namespace oracle {
 
-// A part of a Voronoi edge. The lesser end comes first.
-struct EdgePart {
-  std::vector<std::size_t> polygon;  // the contact set of the Voronoi edge
-  Corner from, to;
-
-  friend bool operator==(const EdgePart&, const EdgePart&) = default;
-  friend bool operator<(const EdgePart& a, const EdgePart& b) {
-    return std::tie(a.polygon, a.from, a.to) < std::tie(b.polygon, b.from, b.to);
-  }
-};
-
-// A part of dimension 2 of the Voronoi facet of two samples: what lies in the facet of the convex region with these
-// corners, sides included. The order of the corners is that of a Sector. If P does not span space, there are no
-// corners, and the sheet is all of the facet.
-struct UnstableSheet {
-  std::array<std::size_t, 2> samples;
-  std::vector<Corner> corners;
-
-  friend bool operator==(const UnstableSheet&, const UnstableSheet&) = default;
-  friend bool operator<(const UnstableSheet& a, const UnstableSheet& b) {
-    return std::tie(a.samples, a.corners) < std::tie(b.samples, b.corners);
-  }
-};
-
-// The open segment in which a single ray crosses the Voronoi facet of two samples.
-struct UnstableSegment {
-  std::array<std::size_t, 2> samples;
-  Point start;
-  Corner end;
-
-  friend bool operator==(const UnstableSegment&, const UnstableSegment&) = default;
-  friend bool operator<(const UnstableSegment& a, const UnstableSegment& b) {
-    return std::tie(a.samples, a.start) < std::tie(b.samples, b.start);
-  }
-};
-
-// Each list is ascending.
+// Each list is ascending, but that of segments, which is ordered by samples and back. In parts of edges, the front is
+// the lesser end.
 struct UnstableSurface {
-  std::vector<Point> vertices;   // Voronoi vertices
-  std::vector<EdgePart> traces;  // with those of their ends that are on the edge; from == to for a point
-  std::vector<EdgePart> runs;    // without their ends
-  std::vector<UnstableSheet> sheets;
-  std::vector<UnstableSegment> segments;
+  std::vector<Point> vertices;     // Voronoi vertices
+  std::vector<EdgePart> traces;    // with those of their ends that are on the edge; front == back for a point
+  std::vector<EdgePart> runs;      // without their ends
+  std::vector<Region> sheets;      // with their sides; without corners, if P does not span space: all of the facet
+  std::vector<Crossing> segments;  // in which single rays cross a facet
 
   friend bool operator==(const UnstableSurface&, const UnstableSurface&) = default;
 };

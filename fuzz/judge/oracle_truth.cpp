@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <ranges>
 #include <stdexcept>
 #include <utility>
 
@@ -16,7 +17,6 @@
 #include "geometry/contract.h"
 #include "geometry/difference_of_roots.h"
 #include "oracle/fast/point_set.h"
-#include "oracle/infinity_set.h"
 #include "oracle/orbit.h"
 #include "oracle/persistence.h"
 #include "oracle/pockets.h"
@@ -54,49 +54,48 @@ BackKind back_kind_of(oracle::BackKind kind) {
   return kKinds.at(static_cast<std::size_t>(kind));
 }
 
-BackwardSegment segment_of(const oracle::BackwardSegment& segment) {
-  return {names_of_pair(segment.samples),
-          segment.front,
-          segment.back,
-          names_of(segment.front_contact),
-          names_of(segment.back_contact),
-          back_kind_of(segment.back_kind)};
-}
-
-// Intervals that sectors come through are left out, because the sectors' corners tell them.
-bool is_crossed(oracle::IntervalKind kind) { return kind == oracle::IntervalKind::kCrossed; }
-
 bool is_stationary(const oracle::PointSet& points, const oracle::Point& x) { return !oracle::flow_segment(points, x); }
 
+bool is_bounded(const oracle::Region& region) { return !oracle::is_unbounded(region); }
+
+// Without what is unbounded, and without the intervals that sectors cross, because the sectors' corners tell these.
 StableSet stable_set_of(const oracle::PointSet& points, const oracle::StableSet& set) {
   StableSet result;
-  for (const auto& segment : set.segments) result.segments.push_back(segment_of(segment));
-  for (const auto& interval : set.intervals) {
-    if (is_crossed(interval.kind)) continue;
-    result.intervals.push_back(
-        {names_of(interval.polygon), interval.front, interval.back, is_stationary(points, interval.back)});
+  for (const auto& segment : set.segments) {
+    if (segment.front.at_infinity) continue;
+    result.segments.push_back({names_of_pair(segment.samples), segment.front.position, segment.back.position,
+                               names_of(segment.front_contact), names_of(segment.back_contact),
+                               back_kind_of(segment.back_kind)});
   }
-  for (const auto& sector : set.sectors) {
-    result.sectors.push_back({names_of_pair(sector.samples), sector.polygon});
+  const std::vector<oracle::EdgePart>& along = set.intervals;
+  for (const auto& [polygon, front, back] : along) {
+    if (front.at_infinity) continue;
+    result.intervals.push_back(
+        {names_of(polygon), front.position, back.position, is_stationary(points, back.position)});
+  }
+  for (const auto& sector : set.sectors | std::views::filter(is_bounded)) {
+    auto& made = result.sectors.emplace_back(BackwardSector{names_of_pair(sector.samples), {}});
+    std::ranges::transform(sector.corners, std::back_inserter(made.corners), &oracle::Corner::position);
   }
   return result;
 }
 
-InfinitySet infinity_set_of(const oracle::PointSet& points, const oracle::InfinitySet& set) {
-  InfinitySet result{stable_set_of(points, set.bounded), {}, {}, {}};
+InfinitySet infinity_set_of(const oracle::PointSet& points, const oracle::StableSet& set) {
+  InfinitySet result{stable_set_of(points, set), {}, {}, {}};
   for (const auto& segment : set.segments) {
-    result.segments.push_back({names_of_pair(segment.samples), segment.front, segment.back,
+    if (!segment.front.at_infinity) continue;
+    result.segments.push_back({names_of_pair(segment.samples), segment.front.position, segment.back.position,
                                names_of(segment.back_contact), back_kind_of(segment.back_kind)});
   }
-  for (const auto& interval : set.intervals) {
-    if (is_crossed(interval.kind)) continue;
+  for (const auto& [polygon, front, back] : set.intervals) {
+    if (!front.at_infinity) continue;
     result.intervals.push_back(
-        {names_of(interval.polygon), interval.front, interval.back, is_stationary(points, interval.back)});
+        {names_of(polygon), front.position, back.position, is_stationary(points, back.position)});
   }
-  for (const auto& sector : set.sectors) {
+  for (const auto& sector : set.sectors | std::views::filter(oracle::is_unbounded)) {
     result.sectors.push_back({names_of_pair(sector.samples), {}});
-    for (const oracle::Corner& corner : sector.corners) {
-      result.sectors.back().corners.push_back({corner.at_infinity, corner.position});
+    for (const auto& [at_infinity, position] : sector.corners) {
+      result.sectors.back().corners.push_back({at_infinity, position});
     }
   }
   return result;
@@ -108,24 +107,20 @@ std::vector<UnstableInterval> intervals_of(const std::vector<oracle::EdgePart>& 
   std::vector<UnstableInterval> intervals;
   intervals.reserve(parts.size());
   for (const oracle::EdgePart& part : parts) {
-    intervals.push_back({names_of(part.polygon), corner_of(part.from), corner_of(part.to)});
+    intervals.push_back({names_of(part.polygon), corner_of(part.front), corner_of(part.back)});
   }
   return intervals;
-}
-
-std::array<PointId, 2> pair_of(const std::array<std::size_t, 2>& samples) {
-  return {static_cast<PointId>(samples[0]), static_cast<PointId>(samples[1])};
 }
 
 UnstableSurface unstable_surface_of(const oracle::UnstableSurface& set) {
   UnstableSurface surface{
       {set.vertices.begin(), set.vertices.end()}, intervals_of(set.traces), intervals_of(set.runs), {}, {}};
-  for (const oracle::UnstableSheet& sheet : set.sheets) {
-    UnstableSheet& made = surface.sheets.emplace_back(UnstableSheet{pair_of(sheet.samples), {}});
+  for (const oracle::Region& sheet : set.sheets) {
+    UnstableSheet& made = surface.sheets.emplace_back(UnstableSheet{names_of_pair(sheet.samples), {}});
     std::ranges::transform(sheet.corners, std::back_inserter(made.corners), corner_of);
   }
-  for (const oracle::UnstableSegment& segment : set.segments) {
-    surface.segments.push_back({pair_of(segment.samples), segment.start, corner_of(segment.end)});
+  for (const oracle::Crossing& segment : set.segments) {
+    surface.segments.push_back({names_of_pair(segment.samples), segment.back.position, corner_of(segment.front)});
   }
   return surface;
 }
@@ -184,7 +179,7 @@ class OracleTruth final : public Truth {
     if (oracle::has_tie(set)) return std::nullopt;
     std::map<oracle::Point, bool> is_odd;
     for (const oracle::BackwardSegment& segment : set.segments) {
-      if (segment.back_kind == oracle::BackKind::kCritical) is_odd[segment.back] ^= true;
+      if (segment.back_kind == oracle::BackKind::kCritical) is_odd[segment.back.position] ^= true;
     }
     std::vector<std::uint32_t> records;
     for (const auto& [midpoint, odd] : is_odd) {

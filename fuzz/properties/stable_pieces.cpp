@@ -28,14 +28,17 @@ Pieces pieces_of(const oracle::PointSet& points, const oracle::StableSet& set) {
                                                          {oracle::BackKind::kVertex, "vertex"}};
   Pieces pieces;
   for (const auto& s : set.segments) {
-    pieces.segments.emplace_back(ids(s.samples), s.front, s.back, s.front_contact, s.back_contact,
+    pieces.segments.emplace_back(ids(s.samples), s.front.position, s.back.position, s.front_contact, s.back_contact,
                                  kinds.at(s.back_kind));
   }
-  for (const auto& i : set.intervals) {
-    if (i.kind == oracle::IntervalKind::kCrossed) continue;
-    pieces.intervals.emplace_back(i.polygon, i.front, i.back, !oracle::flow_segment(points, i.back));
+  for (const auto& [polygon, front, back] : set.intervals) {
+    pieces.intervals.emplace_back(polygon, front.position, back.position, !oracle::flow_segment(points, back.position));
   }
-  for (const auto& s : set.sectors) pieces.sectors.emplace_back(ids(s.samples), s.polygon);
+  for (const auto& [samples, corners] : set.sectors) {
+    std::vector<RationalPoint>& positions =
+        std::get<1>(pieces.sectors.emplace_back(ids(samples), std::vector<RationalPoint>{}));
+    for (const oracle::Corner& corner : corners) positions.push_back(corner.position);
+  }
   pieces.sort();
   return pieces;
 }

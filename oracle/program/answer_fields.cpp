@@ -76,30 +76,39 @@ Json boundary_field(const StableSet& stable) {
   return odd;
 }
 
+// A position, or an object with a vector where it is at infinity.
+Json corner_field(const Corner& corner) {
+  if (!corner.at_infinity) return position_field(corner.position);
+  Json field;
+  field["vector"] = position_field(corner.position);
+  return field;
+}
+
 Json backward_segment_field(const BackwardSegment& segment) {
   Json field;
   field["samples"] = segment.samples;
-  field["front"] = position_field(segment.front);
-  field["back"] = position_field(segment.back);
+  field["front"] = corner_field(segment.front);
+  field["back"] = corner_field(segment.back);
   field["front_contact"] = segment.front_contact;
   field["back_contact"] = segment.back_contact;
   field["back_kind"] = back_kind_text(segment.back_kind);
   return field;
 }
 
-Json interval_field(const PointSet& set, const BackwardInterval& interval) {
+Json interval_field(const PointSet& set, const EdgePart& interval) {
   Json field;
   field["polygon"] = interval.polygon;
-  field["front"] = position_field(interval.front);
-  field["back"] = position_field(interval.back);
-  field["back_is_stationary"] = !flow_segment(set, interval.back);
+  field["front"] = corner_field(interval.front);
+  field["back"] = corner_field(interval.back);
+  field["back_is_stationary"] = !flow_segment(set, interval.back.position);
   return field;
 }
 
-Json sector_field(const Sector& sector) {
+Json region_field(const Region& region) {
   Json field;
-  field["samples"] = sector.samples;
-  for (const Point& corner : sector.polygon) field["corners"].push_back(position_field(corner));
+  field["samples"] = region.samples;
+  field["corners"] = Json::array();
+  for (const Corner& corner : region.corners) field["corners"].push_back(corner_field(corner));
   return field;
 }
 
@@ -120,35 +129,19 @@ std::optional<Point> exit_along(const PointSet& set, const StationaryPoint& y, c
   return moved(y.center, *time, u);
 }
 
-// A position, or an object with a vector where it is at infinity.
-Json corner_field(const Corner& corner) {
-  if (!corner.at_infinity) return position_field(corner.position);
-  Json field;
-  field["vector"] = position_field(corner.position);
-  return field;
-}
-
 Json edge_part_field(const EdgePart& part) {
   Json field;
   field["polygon"] = part.polygon;
-  field["from"] = corner_field(part.from);
-  field["to"] = corner_field(part.to);
+  field["from"] = corner_field(part.front);
+  field["to"] = corner_field(part.back);
   return field;
 }
 
-Json sheet_field(const UnstableSheet& sheet) {
-  Json field;
-  field["samples"] = sheet.samples;
-  field["corners"] = Json::array();
-  for (const Corner& corner : sheet.corners) field["corners"].push_back(corner_field(corner));
-  return field;
-}
-
-Json ray_field(const UnstableSegment& segment) {
+Json ray_field(const Crossing& segment) {
   Json field;
   field["samples"] = segment.samples;
-  field["start"] = position_field(segment.start);
-  field["end"] = corner_field(segment.end);
+  field["start"] = corner_field(segment.back);
+  field["end"] = corner_field(segment.front);
   return field;
 }
 
@@ -202,11 +195,8 @@ Json skeleton_field(const PointSet& set, const StableSet& stable) {
   for (const BackwardSegment& segment : stable.segments) {
     field["segments"].push_back(backward_segment_field(segment));
   }
-  for (const BackwardInterval& interval : stable.intervals) {
-    if (interval.kind == IntervalKind::kCrossed) continue;
-    field["intervals"].push_back(interval_field(set, interval));
-  }
-  for (const Sector& sector : stable.sectors) field["sectors"].push_back(sector_field(sector));
+  for (const EdgePart& interval : stable.intervals) field["intervals"].push_back(interval_field(set, interval));
+  for (const Region& sector : stable.sectors) field["sectors"].push_back(region_field(sector));
   return field;
 }
 
@@ -242,8 +232,8 @@ Json unstable_surface_field(const UnstableSurface& surface) {
   for (const Point& vertex : surface.vertices) field["vertices"].push_back(position_field(vertex));
   for (const EdgePart& trace : surface.traces) field["traces"].push_back(edge_part_field(trace));
   for (const EdgePart& run : surface.runs) field["runs"].push_back(edge_part_field(run));
-  for (const UnstableSheet& sheet : surface.sheets) field["sheets"].push_back(sheet_field(sheet));
-  for (const UnstableSegment& segment : surface.segments) field["segments"].push_back(ray_field(segment));
+  for (const Region& sheet : surface.sheets) field["sheets"].push_back(region_field(sheet));
+  for (const Crossing& segment : surface.segments) field["segments"].push_back(ray_field(segment));
   return field;
 }
 

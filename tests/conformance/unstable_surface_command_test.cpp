@@ -26,7 +26,7 @@ TEST(Sheets, OfAnEdgeOfTheCube) {
 }
 
 oracle::Corner corner(const json& field) {
-  return field.is_object() ? oracle::Corner{position(field["vector"]), true} : oracle::Corner{position(field), false};
+  return field.is_object() ? oracle::Corner{position(field["vector"]), true} : oracle::Corner{position(field)};
 }
 
 std::vector<oracle::EdgePart> edge_parts(const json& field) {
@@ -45,7 +45,7 @@ oracle::UnstableSurface unstable_surface(const json& field) {
     for (const json& one : sheet["corners"]) set.sheets.back().corners.push_back(corner(one));
   }
   for (const json& segment : field["segments"]) {
-    set.segments.push_back({segment["samples"], position(segment["start"]), corner(segment["end"])});
+    set.segments.push_back({segment["samples"], corner(segment["end"]), position(segment["start"])});
   }
   return set;
 }

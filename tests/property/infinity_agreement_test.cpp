@@ -17,8 +17,8 @@
 #include "fuzz/inputs/stable_configurations.h"
 #include "fuzz/properties/stable_pieces.h"
 #include "fuzz/properties/subject.h"
-#include "oracle/infinity_set.h"
 #include "oracle/orbit.h"
+#include "oracle/stable_set.h"
 #include "tests/cites.h"
 #include "tests/property/orbit_subject.h"
 #include "tests/property/property_parameters.h"
@@ -65,21 +65,29 @@ FarPieces far_pieces_of(const InfinitySet& set) {
 }
 
 // The sectors' corners tell the intervals that sectors come through.
-FarPieces far_pieces_of(const oracle::PointSet& points, const oracle::InfinitySet& set) {
+FarPieces far_pieces_of(const oracle::PointSet& points, const oracle::StableSet& set) {
   constexpr std::array kKinds = {"critical", "regular", "edge", "vertex"};
-  FarPieces pieces{pieces_of(points, set.bounded), {}, {}, {}};
+  oracle::StableSet bounded;
+  FarPieces pieces;
   for (const auto& s : set.segments) {
-    pieces.segments.emplace_back(ids(s.samples), s.front, s.back, s.back_contact,
+    if (!s.front.at_infinity) bounded.segments.push_back(s);
+    if (!s.front.at_infinity) continue;
+    pieces.segments.emplace_back(ids(s.samples), s.front.position, s.back.position, s.back_contact,
                                  kKinds.at(static_cast<std::size_t>(s.back_kind)));
   }
   for (const auto& i : set.intervals) {
-    if (i.kind == oracle::IntervalKind::kCrossed) continue;
-    pieces.intervals.emplace_back(i.polygon, i.front, i.back, !oracle::flow_segment(points, i.back));
+    if (!i.front.at_infinity) bounded.intervals.push_back(i);
+    if (!i.front.at_infinity) continue;
+    pieces.intervals.emplace_back(i.polygon, i.front.position, i.back.position,
+                                  !oracle::flow_segment(points, i.back.position));
   }
   for (const auto& s : set.sectors) {
+    if (!oracle::is_unbounded(s)) bounded.sectors.push_back(s);
+    if (!oracle::is_unbounded(s)) continue;
     pieces.sectors.emplace_back(ids(s.samples), std::vector<CornerKey>{});
-    for (const auto& corner : s.corners) pieces.sectors.back().second.emplace_back(corner.at_infinity, corner.position);
+    for (const auto& [at_infinity, x] : s.corners) pieces.sectors.back().second.emplace_back(at_infinity, x);
   }
+  pieces.bounded = pieces_of(points, bounded);
   return pieces;
 }
 

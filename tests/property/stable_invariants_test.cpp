@@ -335,9 +335,15 @@ std::vector<std::vector<Point>> hulls_of(const FastSets& all, const FastSet& set
     hulls.push_back(base);
   };
   for (const auto& w : set.skeleton.points) add({w.position}, w.contact);
-  for (const auto& s : set.skeleton.segments) add({s.front, s.back}, s.samples);
-  for (const auto& i : set.skeleton.intervals) add({i.front, i.back}, i.polygon);
-  for (const auto& s : set.skeleton.sectors) add(s.polygon, s.samples);
+  for (const auto& s : set.skeleton.segments) add({s.front.position, s.back.position}, s.samples);
+  for (const auto* parts : {&set.skeleton.intervals, &set.skeleton.crossed}) {
+    for (const auto& i : *parts) add({i.front.position, i.back.position}, i.polygon);
+  }
+  for (const auto& s : set.skeleton.sectors) {
+    std::vector<Point> base;
+    for (const auto& corner : s.corners) base.push_back(corner.position);
+    add(base, s.samples);
+  }
   return hulls;
 }
 

@@ -51,9 +51,7 @@ class Conversion {
                                                                {BackKind::kRegular, oracle::BackKind::kRegular},
                                                                {BackKind::kEdge, oracle::BackKind::kEdge},
                                                                {BackKind::kVertex, oracle::BackKind::kVertex}};
-    result_.segments.push_back({{s.samples[0], s.samples[1]},
-                                s.front,
-                                s.back,
+    result_.segments.push_back({{{s.samples[0], s.samples[1]}, s.front, s.back},
                                 {s.front_contact.begin(), s.front_contact.end()},
                                 {s.back_contact.begin(), s.back_contact.end()},
                                 kinds.at(s.back_kind)});
@@ -62,21 +60,20 @@ class Conversion {
   }
 
   void add(const BackwardInterval& i) {
-    const auto kind = i.back_is_stationary ? oracle::IntervalKind::kFromCentre : oracle::IntervalKind::kFromVertex;
-    result_.intervals.push_back({{i.polygon.begin(), i.polygon.end()}, i.front, i.back, kind});
+    result_.intervals.push_back({{i.polygon.begin(), i.polygon.end()}, i.front, i.back});
     add_point(i.front);
     if (!i.back_is_stationary) add_point(i.back);
   }
 
   void add(const BackwardSector& s) {
-    result_.sectors.push_back({{s.samples[0], s.samples[1]}, s.corners});
+    result_.sectors.push_back({{s.samples[0], s.samples[1]}, {s.corners.begin(), s.corners.end()}});
     const std::size_t count = s.corners.size();
     const Point m = middle(point_of(set_, s.samples[0]), point_of(set_, s.samples[1]));
     const Point normal = normal_of(s.corners);
     for (std::size_t i = 0; i < count; ++i) {
       if (!is_exit(s.corners, normal, m, i)) continue;
       const auto [a, b] = std::minmax(s.corners[i], s.corners[(i + 1) % count]);
-      result_.intervals.push_back({oracle::contact_set(set_, middle(a, b)), a, b, oracle::IntervalKind::kCrossed});
+      result_.crossed.push_back({oracle::contact_set(set_, middle(a, b)), a, b});
       if (is_exit(s.corners, normal, m, i + 1)) add_point(s.corners[(i + 1) % count]);
     }
   }
@@ -85,6 +82,7 @@ class Conversion {
     std::sort(result_.points.begin(), result_.points.end());
     std::sort(result_.segments.begin(), result_.segments.end());
     std::sort(result_.intervals.begin(), result_.intervals.end());
+    std::sort(result_.crossed.begin(), result_.crossed.end());
     std::sort(result_.sectors.begin(), result_.sectors.end());
     return std::move(result_);
   }

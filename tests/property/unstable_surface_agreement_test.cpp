@@ -61,7 +61,7 @@ oracle::UnstableSurface oracle_form(const UnstableSurface& fast) {
     for (const SurfaceCorner& corner : sheet.corners) set.sheets.back().corners.push_back(oracle_corner(corner));
   }
   for (const UnstableSegment& segment : fast.segments) {
-    set.segments.push_back({{segment.samples[0], segment.samples[1]}, segment.start, oracle_corner(segment.end)});
+    set.segments.push_back({{segment.samples[0], segment.samples[1]}, oracle_corner(segment.end), segment.start});
   }
   return set;
 }
@@ -75,7 +75,7 @@ std::string in_words(const oracle::UnstableSurface& set) {
   for (const auto& x : set.vertices) text += "vertex (" + text_of(RationalPoint(x)) + ")\n";
   const auto add = [&](const std::string& name, const std::vector<oracle::EdgePart>& parts) {
     for (const auto& part : parts) {
-      text += name + " " + text_of(Ids(part.polygon)) + " " + in_words(part.from) + " " + in_words(part.to) + "\n";
+      text += name + " " + text_of(Ids(part.polygon)) + " " + in_words(part.front) + " " + in_words(part.back) + "\n";
     }
   };
   add("trace", set.traces);
@@ -86,8 +86,8 @@ std::string in_words(const oracle::UnstableSurface& set) {
     text += "\n";
   }
   for (const auto& s : set.segments) {
-    text += "segment " + text_of(Ids(s.samples.begin(), s.samples.end())) + " " + in_words(oracle::Corner{s.start}) +
-            " " + in_words(s.end) + "\n";
+    text += "segment " + text_of(Ids(s.samples.begin(), s.samples.end())) + " " + in_words(s.back) + " " +
+            in_words(s.front) + "\n";
   }
   return text;
 }
@@ -98,12 +98,12 @@ std::size_t sheets_into(const oracle::PointSet& points, const oracle::UnstableSu
   const auto& polygon = trace.polygon;
   const auto has = [&](std::size_t name) { return std::ranges::binary_search(polygon, name); };
   const auto is_on = [&](const oracle::Corner& x) {
-    if (x == trace.from || x == trace.to) return true;
-    if (x.at_infinity || trace.from.at_infinity) return false;
-    const oracle::Point u = oracle::way_to(trace.from, x.position), v = oracle::way_to(trace.to, x.position);
+    if (x == trace.front || x == trace.back) return true;
+    if (x.at_infinity || trace.front.at_infinity) return false;
+    const oracle::Point u = oracle::way_to(trace.front, x.position), v = oracle::way_to(trace.back, x.position);
     return oracle::cross(u, v) == oracle::Point{} && oracle::dot(u, v) < 0;
   };
-  return static_cast<std::size_t>(std::ranges::count_if(set.sheets, [&](const oracle::UnstableSheet& sheet) {
+  return static_cast<std::size_t>(std::ranges::count_if(set.sheets, [&](const oracle::Region& sheet) {
     if (!has(sheet.samples[0]) || !has(sheet.samples[1]) || std::ranges::count_if(sheet.corners, is_on) < 2)
       return false;
     const oracle::Places pair = oracle::places_of(points, {sheet.samples[0], sheet.samples[1]});
@@ -119,7 +119,7 @@ void count(const oracle::PointSet& points, const oracle::UnstableSurface& set, b
   totals.regular += is_critical ? 0 : 1;
   totals.vertices += set.vertices.size();
   totals.traces += set.traces.size();
-  for (const auto& trace : set.traces) totals.points += trace.from == trace.to;
+  for (const auto& trace : set.traces) totals.points += trace.front == trace.back;
   totals.runs += set.runs.size();
   totals.sheets += set.sheets.size();
   for (const auto& sheet : set.sheets) totals.unbounded += !sheet.corners.empty() && sheet.corners.back().at_infinity;

@@ -126,10 +126,10 @@ void expect_separated(const Subject& subject, Count& count) {
 }
 
 // Chains of segments from z down to index-1 points (FC-STAB-06), counted by the index-1 point.
-void add_chains(const StableSet& stable, const Point& front, std::map<Point, std::size_t>& found) {
+void add_chains(const StableSet& stable, const Corner& front, std::map<Point, std::size_t>& found) {
   for (const BackwardSegment& segment : stable.segments) {
     if (segment.front != front) continue;
-    if (segment.back_kind == BackKind::kCritical) ++found[segment.back];
+    if (segment.back_kind == BackKind::kCritical) ++found[segment.back.position];
     add_chains(stable, segment.back, found);
   }
 }

@@ -11,7 +11,6 @@
 #include <set>
 #include <string>
 
-#include "oracle/infinity_set.h"
 #include "oracle/orbit.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
@@ -32,7 +31,7 @@ struct Subject {
   bool spans_space() const { return affine_dimension(set.points) == 3; }
 
   PointSet set;
-  InfinitySet infinity;
+  StableSet infinity;
   std::vector<std::pair<StationaryPoint, StableSet>> sets;
 };
 
@@ -89,7 +88,7 @@ Point inside(const std::vector<Corner>& corners, rc::Random& random) {
 // x is in the set of its limit, and in no other one. Returns whether its limit is infinity.
 bool expect_in_one_set(const Subject& subject, const Point& x) {
   const auto limit = orbit(subject.set, x).limit;
-  EXPECT_EQ(contains(subject.set, subject.infinity, x), !limit) << x[0] << ' ' << x[1] << ' ' << x[2];
+  EXPECT_EQ(flows_to_infinity(subject.set, subject.infinity, x), !limit) << x[0] << ' ' << x[1] << ' ' << x[2];
   for (const auto& [z, stable] : subject.sets) {
     EXPECT_EQ(contains(subject.set, stable, x), limit == z) << x[0] << ' ' << x[1] << ' ' << x[2];
   }
@@ -102,34 +101,33 @@ struct Piece {
   Names apexes;
 };
 
-std::vector<Piece> pieces_of(const InfinitySet& infinity) {
+std::vector<Piece> pieces_of(const StableSet& infinity) {
   std::vector<Piece> pieces;
-  pieces.reserve(infinity.bounded.points.size() + infinity.bounded.segments.size());
-  const auto point = [](const Point& x) { return Corner{x, false}; };
+  pieces.reserve(infinity.points.size() + infinity.segments.size());
   const auto both = [](const Edge& samples) { return Names{samples[0], samples[1]}; };
-  for (const auto& w : infinity.bounded.points) pieces.push_back({{point(w.position)}, w.contact});
-  for (const auto& s : infinity.bounded.segments) pieces.push_back({{point(s.front), point(s.back)}, both(s.samples)});
-  for (const auto& i : infinity.bounded.intervals) pieces.push_back({{point(i.front), point(i.back)}, i.polygon});
-  for (const auto& s : infinity.bounded.sectors) {
-    pieces.push_back({{}, both(s.samples)});
-    for (const Point& x : s.polygon) pieces.back().corners.push_back(point(x));
-  }
-  for (const auto& s : infinity.segments) pieces.push_back({{{s.front, true}, point(s.back)}, both(s.samples)});
-  for (const auto& i : infinity.intervals) pieces.push_back({{{i.front, true}, point(i.back)}, i.polygon});
+  for (const auto& w : infinity.points) pieces.push_back({{w.position}, w.contact});
+  for (const auto& s : infinity.segments) pieces.push_back({{s.front, s.back}, both(s.samples)});
+  for (const auto& i : infinity.intervals) pieces.push_back({{i.front, i.back}, i.polygon});
+  for (const auto& i : infinity.crossed) pieces.push_back({{i.front, i.back}, i.polygon});
   for (const auto& s : infinity.sectors) pieces.push_back({s.corners, both(s.samples)});
   return pieces;
 }
 
-void add_kinds(const InfinitySet& infinity, Count& count) {
-  for (const auto& s : infinity.segments) ++count.kinds["ray from " + std::to_string(static_cast<int>(s.back_kind))];
-  for (const auto& i : infinity.intervals) ++count.kinds["ray on an edge " + std::to_string(static_cast<int>(i.kind))];
+void add_kinds(const PointSet& set, const StableSet& infinity, Count& count) {
+  for (const auto& s : infinity.segments) {
+    ++count
+          .kinds[s.front.at_infinity ? "ray from " + std::to_string(static_cast<int>(s.back_kind)) : "bounded segment"];
+  }
+  for (const auto& i : infinity.intervals) {
+    const std::string from = flow_segment(set, i.back.position) ? "a vertex" : "a stationary point";
+    ++count.kinds[i.front.at_infinity ? "ray on an edge, from " + from : "bounded interval"];
+  }
+  for (const auto& i : infinity.crossed) ++count.kinds[i.back.at_infinity ? "crossed ray" : "crossed interval"];
   for (const auto& s : infinity.sectors) {
     const auto far = std::ranges::count_if(s.corners, [](const Corner& c) { return c.at_infinity; });
-    ++count.kinds["sector with " + std::to_string(far) + " of " + std::to_string(s.corners.size()) + " far"];
+    const std::string size = std::to_string(far) + " of " + std::to_string(s.corners.size());
+    ++count.kinds[far > 0 ? "sector with " + size + " far" : "bounded sector"];
   }
-  count.kinds["bounded segment"] += infinity.bounded.segments.size();
-  count.kinds["bounded interval"] += infinity.bounded.intervals.size();
-  count.kinds["bounded sector"] += infinity.bounded.sectors.size();
 }
 
 Point random_centre(const std::vector<Point>& points, std::size_t most, rc::Random& random) {
@@ -145,7 +143,7 @@ TEST(OracleInfinityFamilies, ItsPiecesFlowThereAndNothingNearThemIsMissing) {
   Count count;
   for_each_drawn(1, false, [&](const Subject& subject, rc::Random& random) {
     ++count.dimensions[static_cast<std::size_t>(affine_dimension(subject.set.points))];
-    add_kinds(subject.infinity, count);
+    add_kinds(subject.set, subject.infinity, count);
     const std::vector<Piece> pieces = pieces_of(subject.infinity);
     // Some of the pieces, spread over the list.
     for (std::size_t i = below(random, 13); i < pieces.size(); i += 13) {
@@ -168,10 +166,10 @@ TEST(OracleInfinityFamilies, ItsPiecesFlowThereAndNothingNearThemIsMissing) {
   for (const auto& [kind, number] : count.kinds) std::printf("%8zu  %s\n", number, kind.c_str());
   EXPECT_GT(count.pieces, 75 * scale);
   if (scale >= 1) {
-    for (const char* kind :
-         {"ray from 0", "ray from 1", "ray from 2", "ray on an edge 0", "ray on an edge 1", "ray on an edge 2",
-          "sector with 1 of 3 far", "sector with 1 of 4 far", "sector with 2 of 3 far", "sector with 2 of 4 far",
-          "bounded segment", "bounded interval", "bounded sector"}) {
+    for (const char* kind : {"ray from 0", "ray from 1", "ray from 2", "ray on an edge, from a vertex",
+                             "ray on an edge, from a stationary point", "crossed ray", "sector with 1 of 3 far",
+                             "sector with 1 of 4 far", "sector with 2 of 3 far", "sector with 2 of 4 far",
+                             "bounded segment", "bounded interval", "crossed interval", "bounded sector"}) {
       EXPECT_GT(count.kinds[kind], 0U) << kind;
     }
     EXPECT_GT(std::ranges::min(count.dimensions), 0U);
@@ -279,13 +277,16 @@ std::vector<Point> with_samples(const std::map<Point, Names>& vertices, const Na
 std::map<Edge, Rational> sector_areas(const Subject& subject) {
   std::map<Edge, Rational> areas;
   const auto add = [&](const StableSet& stable) {
-    for (const Sector& sector : stable.sectors) {
+    for (const Region& sector : stable.sectors) {
+      if (is_unbounded(sector)) continue;
+      std::vector<Point> corners;
+      for (const Corner& corner : sector.corners) corners.push_back(corner.position);
       const Point axis = minus(subject.point(sector.samples[1]), subject.point(sector.samples[0]));
-      areas[sector.samples] += abs(dot(doubled_area(sector.polygon, axis), axis));
+      areas[sector.samples] += abs(dot(doubled_area(corners, axis), axis));
     }
   };
   for (const auto& [z, stable] : subject.sets) add(stable);
-  add(subject.infinity.bounded);
+  add(subject.infinity);
   return areas;
 }
 
@@ -310,7 +311,7 @@ void expect_tiled_facets(const Subject& subject, const std::vector<HullPlane>& p
 
 void expect_filled_cells(const Subject& subject, const std::vector<HullPlane>& planes,
                          const std::map<Point, Names>& vertices, Count& count) {
-  std::vector<Rational> sum = shares(subject.set, subject.infinity.bounded);
+  std::vector<Rational> sum = shares(subject.set, subject.infinity);
   for (const auto& [z, stable] : subject.sets) {
     const std::vector<Rational> parts = shares(subject.set, stable);
     Rational sum_of_parts = 0;
@@ -390,7 +391,7 @@ void expect_full_hull(const Subject& subject, const std::vector<HullPlane>& plan
 void expect_exact_sums(const Subject& subject, Count& count) {
   if (!subject.spans_space()) {
     for (const auto& [z, stable] : subject.sets) EXPECT_EQ(volume(subject.set, stable), 0);
-    EXPECT_TRUE(subject.infinity.bounded.sectors.empty());
+    EXPECT_TRUE(std::ranges::all_of(subject.infinity.sectors, is_unbounded));
     return;
   }
   const std::vector<HullPlane> planes = hull_planes(subject.set.points);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 
-#include "oracle/infinity_set.h"
 #include "oracle/orbit.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
@@ -22,22 +21,22 @@ struct Subject {
   }
 
   PointSet set;
-  InfinitySet infinity;
+  StableSet infinity;
   std::vector<std::pair<StationaryPoint, StableSet>> sets;
 };
 
 bool leads_to_infinity(const Subject& s, const Point& x) {
-  const bool found = contains(s.set, s.infinity, x);
+  const bool found = flows_to_infinity(s.set, s.infinity, x);
   EXPECT_EQ(found, !orbit(s.set, x).limit);
   return found;
 }
 
 TEST(OracleInfinity, OfNoPointAndOfOne) {
   CITES("FC-STAB-08");
-  EXPECT_EQ(stable_set_of_infinity(PointSet(Rows{})), InfinitySet{});
-  EXPECT_FALSE(contains(PointSet(Rows{}), InfinitySet{}, {0, 0, 0}));
+  EXPECT_EQ(stable_set_of_infinity(PointSet(Rows{})), StableSet{});
+  EXPECT_FALSE(flows_to_infinity(PointSet(Rows{}), StableSet{}, {0, 0, 0}));
   const Subject one({{1, 2, 3}});
-  EXPECT_EQ(one.infinity, InfinitySet{});
+  EXPECT_EQ(one.infinity, StableSet{});
   EXPECT_FALSE(leads_to_infinity(one, {1, 2, 3}));
   EXPECT_TRUE(leads_to_infinity(one, {1, 2, 4}));
 }
@@ -48,8 +47,12 @@ TEST(OracleInfinity, OfPointsOnALine) {
   // The facet is a plane, cut into quarters by four rays from the saddle.
   EXPECT_EQ(two.infinity.segments.size(), 4U);
   EXPECT_EQ(two.infinity.sectors.size(), 4U);
-  for (const UnboundedSegment& s : two.infinity.segments) EXPECT_EQ(s.back, (Point{1, 0, 0}));
-  EXPECT_EQ(two.infinity.bounded, StableSet{});
+  for (const BackwardSegment& s : two.infinity.segments) {
+    EXPECT_TRUE(s.front.at_infinity);
+    EXPECT_EQ(s.back, (Point{1, 0, 0}));
+  }
+  EXPECT_TRUE(std::ranges::all_of(two.infinity.sectors, is_unbounded));
+  EXPECT_TRUE(two.infinity.points.empty() && two.infinity.intervals.empty() && two.infinity.crossed.empty());
   EXPECT_FALSE(leads_to_infinity(two, {1, 0, 0}));
   EXPECT_FALSE(leads_to_infinity(two, {1.5, 0, 0}));
   EXPECT_TRUE(leads_to_infinity(two, {1, 0, 1}));
@@ -64,14 +67,13 @@ TEST(OracleInfinity, OfAnAcuteTriangle) {
   // Up and down from the centre (0,8/5,0): 9 + y^2 = (5 - y)^2.
   const Point z = {0, Rational(8, 5), 0}, up = {0, 0, 1}, down = {0, 0, -1};
   const Names all = {0, 1, 2};
-  EXPECT_EQ(t.infinity.intervals, (std::vector<UnboundedInterval>{{all, down, z, IntervalKind::kFromCentre},
-                                                                  {all, up, z, IntervalKind::kFromCentre}}));
+  EXPECT_EQ(t.infinity.intervals, (std::vector<EdgePart>{{all, {down, true}, z}, {all, {up, true}, z}}));
   // In each facet, from the midpoint: up, outwards, and down. Sectors inside of the triangle are between z and m.
   EXPECT_EQ(t.infinity.segments.size(), 9U);
   EXPECT_EQ(t.infinity.sectors.size(), 12U);
   const Point m = {0, 0, 0};
-  const UnboundedSector inner = {{0, 1}, {{m, false}, {z, false}, {up, true}}};
-  const UnboundedSector outer = {{0, 1}, {{m, false}, {{0, -1, 0}, true}, {up, true}}};
+  const Region inner = {{0, 1}, {{m, false}, {z, false}, {up, true}}};
+  const Region outer = {{0, 1}, {{m, false}, {{0, -1, 0}, true}, {up, true}}};
   EXPECT_TRUE(std::ranges::find(t.infinity.sectors, inner) != t.infinity.sectors.end());
   EXPECT_TRUE(std::ranges::find(t.infinity.sectors, outer) != t.infinity.sectors.end());
   EXPECT_FALSE(leads_to_infinity(t, {0, 1, 0}));
@@ -87,8 +89,8 @@ TEST(OracleInfinity, OfAnObtuseTriangle) {
   // 9 + y^2 = (1 - y)^2 at y = -4.
   const Point o = {0, -4, 0}, up = {0, 0, 1}, down = {0, 0, -1};
   const Names all = {0, 1, 2};
-  EXPECT_EQ(t.infinity.intervals, (std::vector<UnboundedInterval>{{all, down, o, IntervalKind::kCrossed},
-                                                                  {all, up, o, IntervalKind::kCrossed}}));
+  EXPECT_TRUE(t.infinity.intervals.empty());
+  EXPECT_EQ(t.infinity.crossed, (std::vector<EdgePart>{{all, o, {down, true}}, {all, o, {up, true}}}));
   EXPECT_TRUE(leads_to_infinity(t, {0, Rational(1, 4), 0}));
   EXPECT_TRUE(leads_to_infinity(t, {0, 0, 0}));
   EXPECT_TRUE(leads_to_infinity(t, o));
@@ -98,7 +100,7 @@ TEST(OracleInfinity, OfAnObtuseTriangle) {
 TEST(OracleInfinity, OfATetrahedron) {
   CITES("FC-STAB-08");
   const Subject t({{3, 3, 3}, {3, -3, -3}, {-3, 3, -3}, {-3, -3, 3}});
-  EXPECT_TRUE(t.infinity.bounded.points.empty());
+  EXPECT_TRUE(t.infinity.points.empty());
   EXPECT_EQ(t.infinity.intervals.size(), 4U);
   // Three beside each of the four axes, and one beyond each edge. Each facet has two of the axes' directions.
   EXPECT_EQ(t.infinity.sectors.size(), 12U + 6U);
@@ -115,9 +117,9 @@ TEST(OracleInfinity, AVoronoiVertexThatFlowsToInfinity) {
   // 25 + c^2 = (1 - c)^2 at c = -12.
   const Point o = {0, 0, -12};
   // On the three ways back from there, the Voronoi edges of the other triangles are crossed.
-  ASSERT_EQ(t.infinity.bounded.points.size(), 4U);
-  EXPECT_TRUE(std::ranges::any_of(t.infinity.bounded.points, [&](const SkeletonPoint& y) { return y.position == o; }));
-  const UnboundedInterval down = {{0, 1, 2}, {0, 0, -1}, o, IntervalKind::kFromVertex};
+  ASSERT_EQ(t.infinity.points.size(), 4U);
+  EXPECT_TRUE(std::ranges::any_of(t.infinity.points, [&](const SkeletonPoint& y) { return y.position == o; }));
+  const EdgePart down = {{0, 1, 2}, {{0, 0, -1}, true}, o};
   EXPECT_TRUE(std::ranges::find(t.infinity.intervals, down) != t.infinity.intervals.end());
   EXPECT_TRUE(leads_to_infinity(t, o));
   EXPECT_TRUE(leads_to_infinity(t, {0, 0, 0}));
@@ -129,10 +131,10 @@ TEST(OracleInfinity, ASectorWithAVoronoiVertexAsItsTip) {
   CITES("FC-STAB-08");
   const Subject t({{-3, 0, 0}, {3, 0, 0}, {-1, -2, 0}, {0, -2, -1}});
   const Point tip = {0, 1, 0};
-  const UnboundedSector wedge = {{0, 1}, {{tip, false}, {{0, 0, 1}, true}, {{0, Rational(1, 2), -1}, true}}};
+  const Region wedge = {{0, 1}, {{tip, false}, {{0, 0, 1}, true}, {{0, Rational(1, 2), -1}, true}}};
   EXPECT_TRUE(std::ranges::find(t.infinity.sectors, wedge) != t.infinity.sectors.end());
   const SkeletonPoint vertex = {tip, {0, 1, 2, 3}};
-  EXPECT_TRUE(std::ranges::find(t.infinity.bounded.points, vertex) != t.infinity.bounded.points.end());
+  EXPECT_TRUE(std::ranges::find(t.infinity.points, vertex) != t.infinity.points.end());
   EXPECT_TRUE(leads_to_infinity(t, {0, 1, 0}));
   EXPECT_TRUE(leads_to_infinity(t, {1, Rational(2, 3), 0}));
 }

@@ -8,7 +8,6 @@
 #include <map>
 #include <string>
 
-#include "oracle/infinity_set.h"
 #include "oracle/location.h"
 #include "oracle/medial_axis.h"
 #include "oracle/peaks_above.h"
@@ -28,13 +27,13 @@ struct LocationCount {
 };
 
 // A location, held to stable sets; to the ray from the nearest sample; to what is above it, which is together.
-void expect_location(const Subject& subject, const InfinitySet& infinity, const PeaksAbove& above, const Point& x,
+void expect_location(const Subject& subject, const StableSet& infinity, const PeaksAbove& above, const Point& x,
                      LocationCount& count) {
   const Location location = locate(subject.set, x);
   ++count.queries;
   count.ties += location.nearest.size() > 1 ? 1 : 0;
   EXPECT_EQ(location.nearest, contact_set(subject.set, x));
-  EXPECT_EQ(contains(subject.set, infinity, x), !location.limit);
+  EXPECT_EQ(flows_to_infinity(subject.set, infinity, x), !location.limit);
   const Point& sample = subject.set.points[places_of(subject.set, location.nearest)[0]];
   if (location.nearest.size() == 1 && x != sample) {
     EXPECT_EQ(locate(subject.set, moved(sample, Rational(1, 3), minus(x, sample))), location);
@@ -60,7 +59,7 @@ TEST(OracleLocationFamilies, LocationsHoldToStableSets) {
   CITES("FC-LOC-01", "FC-LOC-03", "FC-POCK-01");
   LocationCount count;
   for_each_drawn(2, [&](const Subject& subject, std::uint64_t seed) {
-    const InfinitySet infinity = stable_set_of_infinity(subject.set);
+    const StableSet infinity = stable_set_of_infinity(subject.set);
     const PeaksAbove above = peaks_above(subject.set, subject.all);
     rc::Random random(seed);
     const auto any = [&] { return subject.all[static_cast<std::size_t>(random.next() % subject.all.size())].center; };

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -91,9 +92,14 @@ std::vector<Piece> pieces_of(const StableSet& stable) {
   std::vector<Piece> pieces;
   pieces.reserve(stable.points.size() + stable.segments.size());
   for (const SkeletonPoint& w : stable.points) pieces.push_back({{w.position}, w.contact});
-  for (const BackwardSegment& s : stable.segments) pieces.push_back({{s.front, s.back}, {s.samples[0], s.samples[1]}});
-  for (const BackwardInterval& i : stable.intervals) pieces.push_back({{i.front, i.back}, i.polygon});
-  for (const Sector& s : stable.sectors) pieces.push_back({s.polygon, {s.samples[0], s.samples[1]}});
+  const auto add = [&](const std::vector<Corner>& corners, const Names& apexes) {
+    Piece& piece = pieces.emplace_back(Piece{{}, apexes});
+    for (const Corner& corner : corners) piece.hull.push_back(corner.position);
+  };
+  for (const BackwardSegment& s : stable.segments) add({s.front, s.back}, {s.samples[0], s.samples[1]});
+  for (const EdgePart& i : stable.intervals) add({i.front, i.back}, i.polygon);
+  for (const EdgePart& i : stable.crossed) add({i.front, i.back}, i.polygon);
+  for (const Region& s : stable.sectors) add(s.corners, {s.samples[0], s.samples[1]});
   return pieces;
 }
 
@@ -245,10 +251,9 @@ void expect_leads_as_signs_say(const Subject& subject, const StableSet& stable, 
     EXPECT_EQ(found, leads_by_sign(subject, polygons, g[0], g[1]));
   });
   for (const Names& polygon : polygons) {
-    const bool found =
-        std::any_of(stable.intervals.begin(), stable.intervals.end(), [&](const BackwardInterval& interval) {
-          return interval.kind != IntervalKind::kCrossed && interval.front == y.position && interval.polygon == polygon;
-        });
+    const bool found = std::any_of(stable.intervals.begin(), stable.intervals.end(), [&](const EdgePart& interval) {
+      return interval.front == y.position && interval.polygon == polygon;
+    });
     EXPECT_EQ(found, is_vertex && leads_by_sign(subject, y, polygon));
   }
 }
@@ -325,27 +330,35 @@ bool is_within_a_sector(const Subject& subject, const StableSet& stable, const S
   const auto is_back = [&](const auto& piece) { return piece.back == w.position; };
   return w.position != z.center && is_voronoi_vertex(subject, w) &&
          std::none_of(stable.segments.begin(), stable.segments.end(), is_back) &&
-         std::none_of(stable.intervals.begin(), stable.intervals.end(), is_back);
+         std::none_of(stable.intervals.begin(), stable.intervals.end(), is_back) &&
+         std::none_of(stable.crossed.begin(), stable.crossed.end(), is_back);
 }
 
 TEST(OracleStableFamilies, AllKindsOfPiecesAreMetAndNoneTwice) {
   CITES("FC-STAB-04", "FC-STAB-05");
   std::map<std::string, int> seen;
-  const auto strictly_ascending = [](const auto& list) {
-    return std::adjacent_find(list.begin(), list.end(), [](const auto& a, const auto& b) { return !(a < b); }) ==
-           list.end();
+  const auto strictly_ascending = [](const auto& list, const auto& key) {
+    return std::adjacent_find(list.begin(), list.end(),
+                              [&](const auto& a, const auto& b) { return !(key(a) < key(b)); }) == list.end();
   };
+  const auto position = [](const SkeletonPoint& y) { return y.position; };
+  const auto way = [](const BackwardSegment& s) { return std::pair(s.samples, s.front); };
   for_each_subject(
       3, 40,
       [&](const Subject& subject, rc::Random&) {
         for (const auto& [z, stable] : subject.sets) {
-          EXPECT_TRUE(strictly_ascending(stable.points) && strictly_ascending(stable.segments) &&
-                      strictly_ascending(stable.intervals) && strictly_ascending(stable.sectors));
+          EXPECT_TRUE(strictly_ascending(stable.points, position) && strictly_ascending(stable.segments, way));
+          EXPECT_TRUE(strictly_ascending(stable.intervals, std::identity{}) &&
+                      strictly_ascending(stable.crossed, std::identity{}) &&
+                      strictly_ascending(stable.sectors, std::identity{}));
           const std::string kind = std::to_string(z.face_dimension) + std::to_string(z.hull_dimension);
           ++seen["set of " + kind + (stable.intervals.empty() ? "" : ", intervals")];
           for (const auto& s : stable.segments) ++seen["segment " + std::to_string(static_cast<int>(s.back_kind))];
-          for (const auto& i : stable.intervals) ++seen["interval " + std::to_string(static_cast<int>(i.kind))];
-          for (const auto& s : stable.sectors) ++seen["sector of " + std::to_string(s.polygon.size()) + " corners"];
+          for (const auto& i : stable.intervals) {
+            ++seen[flow_segment(subject.set, i.back.position) ? "interval from a vertex" : "interval from a centre"];
+          }
+          seen["crossed interval"] += static_cast<int>(stable.crossed.size());
+          for (const auto& s : stable.sectors) ++seen["sector of " + std::to_string(s.corners.size()) + " corners"];
           for (const auto& w : stable.points) {
             if (is_within_a_sector(subject, stable, z, w)) ++seen["vertex within a sector"];
           }
@@ -354,9 +367,9 @@ TEST(OracleStableFamilies, AllKindsOfPiecesAreMetAndNoneTwice) {
       kMostRows);
   for (const auto& [what, count] : seen) std::printf("%6d  %s\n", count, what.c_str());
   for (const char* what :
-       {"segment 0", "segment 1", "segment 2", "segment 3", "interval 0", "interval 1", "interval 2",
-        "sector of 3 corners", "sector of 4 corners", "vertex within a sector", "set of 12", "set of 13",
-        "set of 13, intervals", "set of 22", "set of 22, intervals", "set of 23, intervals"}) {
+       {"segment 0", "segment 1", "segment 2", "segment 3", "interval from a centre", "interval from a vertex",
+        "crossed interval", "sector of 3 corners", "sector of 4 corners", "vertex within a sector", "set of 12",
+        "set of 13", "set of 13, intervals", "set of 22", "set of 22, intervals", "set of 23, intervals"}) {
     EXPECT_GT(seen[what], 0) << what;
   }
 }

@@ -18,8 +18,8 @@ using Rows = std::vector<std::array<double, 3>>;
 using Names = std::vector<std::size_t>;
 using Edges = std::vector<std::array<std::size_t, 2>>;
 using Segments = std::vector<BackwardSegment>;
-using Intervals = std::vector<BackwardInterval>;
-using Sectors = std::vector<Sector>;
+using Intervals = std::vector<EdgePart>;
+using Sectors = std::vector<Region>;
 
 Rational ratio(long numerator, long denominator) { return Rational(numerator) / denominator; }
 
@@ -51,7 +51,7 @@ std::vector<Branch> branches(const StableSet& stable) {
   std::vector<Branch> result;
   result.reserve(stable.segments.size());
   for (const BackwardSegment& s : stable.segments) {
-    result.push_back({s.samples, s.front, s.back, s.back_kind});
+    result.push_back({s.samples, s.front.position, s.back.position, s.back_kind});
   }
   return result;
 }
@@ -65,9 +65,9 @@ TEST(OracleStable, OfAnAcuteTriangle) {
   const Point z = {2, ratio(5, 6), 0};
   const Names all = {0, 1, 2};
   const Point m01 = {2, 0, 0}, m02 = {1, ratio(3, 2), 0}, m12 = {3, ratio(3, 2), 0};
-  EXPECT_EQ(t.stable.segments, (Segments{{{0, 1}, z, m01, all, {0, 1}, kCritical},
-                                         {{0, 2}, z, m02, all, {0, 2}, kCritical},
-                                         {{1, 2}, z, m12, all, {1, 2}, kCritical}}));
+  EXPECT_EQ(t.stable.segments, (Segments{{{{0, 1}, z, m01}, all, {0, 1}, kCritical},
+                                         {{{0, 2}, z, m02}, all, {0, 2}, kCritical},
+                                         {{{1, 2}, z, m12}, all, {1, 2}, kCritical}}));
   EXPECT_EQ(t.stable.points, (std::vector<SkeletonPoint>{{z, all}}));
   EXPECT_TRUE(t.stable.intervals.empty());
   EXPECT_TRUE(t.stable.sectors.empty());
@@ -182,8 +182,7 @@ TEST(OracleStable, AnIndexTwoPointOfDimensionThree) {
   const Example t({{-2, 0, 0}, {2, 0, 0}, {0, -1, 1}, {0, -1, -1}, {0, 5, 0}}, {0, 1, 4});
   ASSERT_EQ(t.z.hull_dimension, 2);
   const Point vertex = {0, 1, 0}, left = {ratio(-4, 5), ratio(-3, 5), 0}, right = {ratio(4, 5), ratio(-3, 5), 0};
-  EXPECT_EQ(t.stable.intervals, (Intervals{{{0, 2, 3}, vertex, left, IntervalKind::kFromCentre},
-                                           {{1, 2, 3}, vertex, right, IntervalKind::kFromCentre}}));
+  EXPECT_EQ(t.stable.intervals, (Intervals{{{0, 2, 3}, vertex, left}, {{1, 2, 3}, vertex, right}}));
   EXPECT_EQ(t.stable.sectors.size(), 6U);
   EXPECT_EQ(t.stable.segments.size(), 8U);
   EXPECT_THROW(triangles(t.set, t.stable), std::invalid_argument);
@@ -208,10 +207,9 @@ TEST(OracleStable, OfKindTwoThree) {
   // The triangle 0 1 2 contains the centre, and does not lead to it; the others do.
   const Example t({{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {0, 0, 5}}, {0, 1, 2, 3});
   const Point z = {0, 0, 0};
-  EXPECT_EQ(t.stable.intervals,
-            (Intervals{{{0, 1, 3}, z, {ratio(5, 6), ratio(5, 3), ratio(5, 6)}, IntervalKind::kFromCentre},
-                       {{0, 2, 3}, z, {ratio(5, 6), ratio(-5, 3), ratio(5, 6)}, IntervalKind::kFromCentre},
-                       {{1, 2, 3}, z, {ratio(-75, 34), 0, ratio(45, 34)}, IntervalKind::kFromCentre}}));
+  EXPECT_EQ(t.stable.intervals, (Intervals{{{0, 1, 3}, z, Point{ratio(5, 6), ratio(5, 3), ratio(5, 6)}},
+                                           {{0, 2, 3}, z, Point{ratio(5, 6), ratio(-5, 3), ratio(5, 6)}},
+                                           {{1, 2, 3}, z, Point{ratio(-75, 34), 0, ratio(45, 34)}}}));
   EXPECT_EQ(t.stable.segments.size(), 6U);
   EXPECT_TRUE(std::all_of(t.stable.segments.begin(), t.stable.segments.end(),
                           [](const BackwardSegment& s) { return s.back_kind == kCritical; }));
@@ -235,8 +233,7 @@ TEST(OracleStable, OfKindOneThree) {
                                                      {{1, 2}, z, m12, kCritical},
                                                      {{1, 3}, z, m13, kCritical},
                                                      {{2, 3}, z, m23, kCritical}}));
-  EXPECT_EQ(t.stable.intervals, (Intervals{{{0, 2, 3}, z, right, IntervalKind::kFromCentre},
-                                           {{1, 2, 3}, z, left, IntervalKind::kFromCentre}}));
+  EXPECT_EQ(t.stable.intervals, (Intervals{{{0, 2, 3}, z, right}, {{1, 2, 3}, z, left}}));
   EXPECT_EQ(t.stable.sectors, (Sectors{{{0, 2}, {z, right, m02}},
                                        {{0, 3}, {z, right, m03}},
                                        {{1, 2}, {m12, left, z}},
@@ -263,9 +260,8 @@ TEST(OracleStable, ASectorThatLeavesThroughAVoronoiEdge) {
                                                      {{1, 3}, z, m13, kCritical},
                                                      {{2, 3}, z, m23, kCritical},
                                                      {{2, 4}, near, m24, kCritical}}));
-  EXPECT_EQ(t.stable.intervals, (Intervals{{{0, 2, 3}, z, right, IntervalKind::kFromCentre},
-                                           {{0, 2, 4}, near, far, IntervalKind::kCrossed},
-                                           {{1, 2, 3}, z, left, IntervalKind::kFromCentre}}));
+  EXPECT_EQ(t.stable.intervals, (Intervals{{{0, 2, 3}, z, right}, {{1, 2, 3}, z, left}}));
+  EXPECT_EQ(t.stable.crossed, (Intervals{{{0, 2, 4}, near, far}}));
   EXPECT_EQ(t.stable.sectors, (Sectors{{{0, 2}, {z, near, far, right}},
                                        {{0, 3}, {z, right, m03}},
                                        {{0, 4}, {near, far, m04}},

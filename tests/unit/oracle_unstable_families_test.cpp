@@ -70,20 +70,19 @@ void add_backward(const StationaryPoint& z, const StableSet& set, std::map<Point
   for (const BackwardSegment& segment : set.segments) {
     const bool is_end = segment.back_kind == BackKind::kCritical || segment.back_kind == BackKind::kRegular;
     if (is_end) {
-      of[segment.back].directions.emplace_back(direction_of(minus(segment.front, segment.back)), z.center);
+      of[segment.back.position].directions.emplace_back(direction_of(way_to(segment.front, segment.back.position)),
+                                                        z.center);
     }
   }
-  for (const BackwardInterval& interval : set.intervals) {
-    if (interval.kind != IntervalKind::kFromCentre) continue;
-    of[interval.back].directions.emplace_back(direction_of(minus(interval.front, interval.back)), z.center);
+  for (const auto& [polygon, front, back] : set.intervals) {
+    of[back.position].directions.emplace_back(direction_of(way_to(front, back.position)), z.center);
   }
-  for (const Sector& sector : set.sectors) {
-    const std::vector<Point>& corners = sector.polygon;
+  for (const auto& [samples, corners] : set.sectors) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Point& before = corners[(i + corners.size() - 1) % corners.size()];
-      const Point& after = corners[(i + 1) % corners.size()];
-      of[corners[i]].arcs.push_back(
-          {sector.samples, direction_of(minus(before, corners[i])), direction_of(minus(after, corners[i])), z.center});
+      const Corner& before = corners[(i + corners.size() - 1) % corners.size()];
+      const Corner& after = corners[(i + 1) % corners.size()];
+      const Point& x = corners[i].position;
+      of[x].arcs.push_back({samples, direction_of(way_to(before, x)), direction_of(way_to(after, x)), z.center});
     }
   }
 }

@@ -10,8 +10,9 @@
 #include <random>
 #include <string>
 
-#include "oracle/backward_search.h"
 #include "oracle/orbit.h"
+#include "oracle/stable_set.h"
+#include "oracle/unstable_set.h"
 #include "oracle/unstable_surface.h"
 #include "tests/cites.h"
 #include "tests/unit/drawn_sets.h"
@@ -44,9 +45,9 @@ Point mixture(const std::vector<Corner>& corners, const std::vector<int>& weight
 
 // A line without an end goes through the centre of its polygon's circle.
 Point on_edge(const PointSet& set, const EdgePart& part, int a, int b) {
-  if (!part.from.at_infinity) return mixture({part.from, part.to}, {a, b});
+  if (!part.front.at_infinity) return mixture({part.front, part.back}, {a, b});
   const std::vector<Point> corners = select(set.points, places_of(set, part.polygon));
-  return moved(circumcentre({corners[0], corners[1], corners[2]})->center, Rational(a - b, a), part.to.position);
+  return moved(circumcentre({corners[0], corners[1], corners[2]})->center, Rational(a - b, a), part.back.position);
 }
 
 // Points of all parts of a set, and others near them.
@@ -56,15 +57,15 @@ std::vector<Point> tried(const PointSet& set, const UnstableSurface& surface, st
   for (const auto* parts : {&surface.traces, &surface.runs}) {
     for (const EdgePart& part : *parts) {
       result.push_back(on_edge(set, part, weight(), weight()));
-      for (const Corner* end : {&part.from, &part.to}) {
+      for (const Corner* end : {&part.front, &part.back}) {
         if (end->at_infinity) continue;
         result.push_back(end->position);
-        const Point other = end == &part.from ? on_edge(set, part, 1, 2) : on_edge(set, part, 2, 1);
+        const Point other = end == &part.front ? on_edge(set, part, 1, 2) : on_edge(set, part, 2, 1);
         result.push_back(moved(end->position, Rational(-1, weight()), minus(other, end->position)));
       }
     }
   }
-  for (const UnstableSheet& sheet : surface.sheets) {
+  for (const Region& sheet : surface.sheets) {
     if (sheet.corners.empty()) continue;
     result.push_back(mixture(sheet.corners, {weight(), weight(), weight(), weight()}));
     const Point centre = mixture(sheet.corners, {1});
@@ -76,9 +77,8 @@ std::vector<Point> tried(const PointSet& set, const UnstableSurface& surface, st
       result.push_back(moved(side, Rational(1, 8), minus(side, centre)));
     }
   }
-  for (const UnstableSegment& segment : surface.segments) {
-    const Corner start = {segment.start, false};
-    result.push_back(mixture({start, segment.end}, {weight(), weight()}));
+  for (const Crossing& segment : surface.segments) {
+    result.push_back(mixture({segment.back, segment.front}, {weight(), weight()}));
   }
   return result;
 }
@@ -87,19 +87,15 @@ std::vector<Point> tried(const PointSet& set, const UnstableSurface& surface, st
 // in the facet of F.
 bool is_reached(const PointSet& set, const StableSet& found, const StationaryPoint& y, const Places& face) {
   const std::array<std::size_t, 2> samples = {set.names[face[0]], set.names[face[1]]};
-  const auto& [points, segments, intervals, sectors, has_vertex] = found;
-  return std::any_of(segments.begin(), segments.end(), [&](const BackwardSegment& s) { return s.back == y.center; }) ||
-         std::any_of(
-             intervals.begin(), intervals.end(),
-             [&](const BackwardInterval& i) { return i.kind == IntervalKind::kFromCentre && i.back == y.center; }) ||
-         std::any_of(sectors.begin(), sectors.end(), [&](const Sector& s) { return s.samples == samples; });
+  const auto is_back = [&](const auto& piece) { return piece.back == y.center; };
+  const auto is_back_of_f = [&](const EdgePart& i) { return is_back(i) && std::ranges::includes(i.polygon, samples); };
+  return std::ranges::any_of(found.segments, is_back) || std::ranges::any_of(found.intervals, is_back_of_f) ||
+         std::ranges::any_of(found.sectors, [&](const Region& s) { return s.samples == samples; });
 }
 
 void expect_same_answer(const PointSet& set, const std::vector<const StationaryPoint*>& all,
                         const std::vector<UnstableSurface>& surfaces, const Point& x, Count& count) {
-  BackwardSearch search(set);
-  search.add_point(x);
-  const StableSet found = std::move(search).sorted().bounded;
+  const StableSet found = stable_set(set, x);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const bool expected = x == all[i]->center || is_reached(set, found, *all[i], face_of(set, *all[i]));
     const bool is_in = contains(set, surfaces[i], x);

@@ -26,7 +26,7 @@ TEST(OracleUnstableSurface, OfTwoPointsIsAPlane) {
   CITES("FC-UNST-04");
   const Rows rows = {{0, 0, 0}, {2, 0, 0}};
   const UnstableSurface set = surface_of(rows, {0, 1});
-  EXPECT_EQ(set.sheets, (std::vector<UnstableSheet>{{{0, 1}, {}}}));
+  EXPECT_EQ(set.sheets, (std::vector<Region>{{{0, 1}, {}}}));
   EXPECT_TRUE(set.traces.empty() && set.runs.empty() && set.segments.empty() && set.vertices.empty());
   EXPECT_TRUE(contains(PointSet(rows), set, {1, 5, -7}));
   EXPECT_FALSE(contains(PointSet(rows), set, {0, 5, -7}));
@@ -37,7 +37,7 @@ TEST(OracleUnstableSurface, InAPlaneTracesAreLines) {
   CITES("FC-UNST-04", "FC-UNST-05");
   const Rows obtuse = {{-4, 0, 0}, {4, 0, 0}, {0, 1, 0}};
   const UnstableSurface set = surface_of(obtuse, {0, 2});
-  EXPECT_EQ(set.sheets, (std::vector<UnstableSheet>{{{0, 1}, {}}, {{0, 2}, {}}}));
+  EXPECT_EQ(set.sheets, (std::vector<Region>{{{0, 1}, {}}, {{0, 2}, {}}}));
   EXPECT_EQ(set.traces, (std::vector<EdgePart>{{{0, 1, 2}, {{0, 0, -1}, true}, {{0, 0, 1}, true}}}));
   EXPECT_TRUE(set.segments.empty() && set.runs.empty());
   // The circle's centre is (0, -15/2, 0). The facet of points 0 and 1 goes on from there.
@@ -56,8 +56,7 @@ TEST(OracleUnstableSurface, OfAnEdgeOfACubeIsAQuarter) {
   EXPECT_EQ(set.vertices, (std::vector<Point>{{1, 1, 1}}));
   EXPECT_EQ(set.traces, (std::vector<EdgePart>{{{0, 1, 2, 3}, {{1, 1, 1}, false}, {{0, 0, -1}, true}},
                                                {{0, 1, 4, 5}, {{1, 1, 1}, false}, {{0, -1, 0}, true}}}));
-  EXPECT_EQ(set.sheets,
-            (std::vector<UnstableSheet>{{{0, 1}, {{{1, 1, 1}, false}, {{0, -1, 0}, true}, {{0, 0, -1}, true}}}}));
+  EXPECT_EQ(set.sheets, (std::vector<Region>{{{0, 1}, {{{1, 1, 1}, false}, {{0, -1, 0}, true}, {{0, 0, -1}, true}}}}));
   EXPECT_TRUE(set.runs.empty() && set.segments.empty());
   const PointSet points(cube);
   EXPECT_TRUE(contains(points, set, {1, 0, -5}));
@@ -75,7 +74,7 @@ TEST(OracleUnstableSurface, FansOutBeyondAnObtuseTriangle) {
   const PointSet points(rows);
   const UnstableSurface set = surface_of(rows, {0, 2});
   const auto fan = std::find_if(set.sheets.begin(), set.sheets.end(),
-                                [](const UnstableSheet& s) { return s.samples == std::array<std::size_t, 2>{0, 1}; });
+                                [](const Region& s) { return s.samples == std::array<std::size_t, 2>{0, 1}; });
   ASSERT_NE(fan, set.sheets.end());
   // The Voronoi vertex is on the axis (0, -15/2, t), where 16 + 225/4 + t^2 = 225/4 + (t - 40)^2, so t = 99/5.
   const Point vertex = {0, Rational(-15, 2), Rational(99, 5)};

@@ -215,8 +215,8 @@ bool has_vertex(const StableSet& set) { return set.has_vertex; }
 bool has_interval(const StableSet& set) { return !set.intervals.empty(); }
 
 bool has_cut_sector(const StableSet& set) {
-  for (const Sector& sector : set.sectors) {
-    if (sector.polygon.size() > 3) return true;
+  for (const Region& sector : set.sectors) {
+    if (sector.corners.size() > 3) return true;
   }
   return false;
 }
@@ -321,12 +321,8 @@ bool some_part(const Findings& found, std::vector<Part> UnstableSurface::* parts
 }
 
 bool is_any_run(const EdgePart&) { return true; }
-bool is_any_ray(const UnstableSegment&) { return true; }
-bool is_single_point(const EdgePart& trace) { return trace.from == trace.to; }
-bool has_corner_at_infinity(const UnstableSheet& sheet) {
-  return std::any_of(sheet.corners.begin(), sheet.corners.end(),
-                     [](const Corner& corner) { return corner.at_infinity; });
-}
+bool is_any_ray(const Crossing&) { return true; }
+bool is_single_point(const EdgePart& trace) { return trace.front == trace.back; }
 bool has_two_sheets(const Findings& found) {
   return std::any_of(found.surfaces.begin(), found.surfaces.end(),
                      [](const auto& place_and_surface) { return place_and_surface.second.sheets.size() >= 2; });
@@ -485,7 +481,7 @@ constexpr Flag kFlags[] = {
     // ---- Of unstable sets
     {"fan", "A listed unstable set with two sheets or more.", "FC-UNST-04 FC-UNST-05", has_two_sheets},
     {"unbounded-sheet", "A listed sheet with a corner at infinity.", "FC-UNST-04",
-     [](const Findings& found) { return some_part(found, &UnstableSurface::sheets, has_corner_at_infinity); }},
+     [](const Findings& found) { return some_part(found, &UnstableSurface::sheets, is_unbounded); }},
     {"run", "A listed run.", "FC-UNST-04 FC-UNST-05",
      [](const Findings& found) { return some_part(found, &UnstableSurface::runs, is_any_run); }},
     {"single-ray", "A listed segment: a single ray that crosses a facet.", "FC-UNST-04 FC-UNST-05",

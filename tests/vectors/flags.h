@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "oracle/connections.h"
-#include "oracle/infinity_set.h"
 #include "oracle/location.h"
 #include "oracle/orbit.h"
 #include "oracle/persistence.h"
@@ -52,7 +51,7 @@ struct Findings {
   std::optional<Trees> trees = {};
   std::vector<PocketAnswer> pockets = {};
   std::optional<MedialAnswer> medial = {};
-  std::optional<InfinitySet> infinity = {};
+  std::optional<StableSet> infinity = {};
   std::optional<StatisticsAnswer> statistics = {};
 };
 

@@ -217,7 +217,7 @@ void add_orbit(const PointSet& set, const Orbit& path, StatisticsAnswer& answer)
 }
 
 // The chains of segments that begin at `front`, against the flow.
-void add_connecting_orbits(const StableSet& stable, const Point& front, std::size_t length, StatisticsAnswer& answer) {
+void add_connecting_orbits(const StableSet& stable, const Corner& front, std::size_t length, StatisticsAnswer& answer) {
   for (const BackwardSegment& segment : stable.segments) {
     if (segment.front != front) continue;
     if (segment.back_kind == BackKind::kCritical) ++answer.n_s2[length + 1];

@@ -214,49 +214,31 @@ Json medial_field(const All& all, const MedialAnswer& answer) {
 
 namespace {
 
-constexpr const char* kBackKinds[] = {"critical", "regular", "edge", "vertex"};
-
-Json corner_field(const Corner& corner) {
-  if (!corner.at_infinity) return position_field(corner.position);
+// What skeleton_field() says of an unbounded segment or interval, without what is not there at infinity.
+Json far_field(const Json& piece) {
   Json field;
-  field["vector"] = position_field(corner.position);
-  return field;
-}
-
-Json segment_field(const UnboundedSegment& segment) {
-  Json field;
-  field["samples"] = segment.samples;
-  field["vector"] = position_field(segment.front);
-  field["back"] = position_field(segment.back);
-  field["back_contact"] = segment.back_contact;
-  field["back_kind"] = kBackKinds[static_cast<std::size_t>(segment.back_kind)];
-  return field;
-}
-
-Json interval_field(const PointSet& set, const UnboundedInterval& interval) {
-  Json field;
-  field["polygon"] = interval.polygon;
-  field["vector"] = position_field(interval.front);
-  field["back"] = position_field(interval.back);
-  field["back_is_stationary"] = !flow_segment(set, interval.back);
+  for (const auto& [key, value] : piece.items()) {
+    if (key == "front") field.update(value);
+    if (key != "front" && key != "front_contact") field[key] = value;
+  }
   return field;
 }
 
 }  // namespace
 
-// Intervals that the rays of sectors cross are not listed, because the sectors' corners give them.
-Json infinity_field(const PointSet& set, const InfinitySet& infinity) {
-  Json field = skeleton_field(set, infinity.bounded);
-  for (const char* key : {"unbounded_segments", "unbounded_intervals", "unbounded_sectors"}) field[key] = Json::array();
-  for (const UnboundedSegment& one : infinity.segments) field["unbounded_segments"].push_back(segment_field(one));
-  for (const UnboundedInterval& one : infinity.intervals) {
-    if (one.kind != IntervalKind::kCrossed) field["unbounded_intervals"].push_back(interval_field(set, one));
+Json infinity_field(const PointSet& set, const StableSet& infinity) {
+  const Json all = skeleton_field(set, infinity);
+  Json field;
+  for (const char* key : {"segments", "intervals", "sectors"}) field[key] = Json::array();
+  for (const char* key : {"segments", "intervals", "sectors"}) field[std::string("unbounded_") + key] = Json::array();
+  for (const char* key : {"segments", "intervals"}) {
+    for (const Json& piece : all[key]) {
+      const bool is_far = piece["front"].is_object();
+      field[is_far ? std::string("unbounded_") + key : key].push_back(is_far ? far_field(piece) : piece);
+    }
   }
-  for (const UnboundedSector& one : infinity.sectors) {
-    Json& sector = field["unbounded_sectors"].emplace_back();
-    sector["samples"] = one.samples;
-    sector["corners"] = Json::array();
-    for (const Corner& corner : one.corners) sector["corners"].push_back(corner_field(corner));
+  for (std::size_t i = 0; i < infinity.sectors.size(); ++i) {
+    field[is_unbounded(infinity.sectors[i]) ? "unbounded_sectors" : "sectors"].push_back(all["sectors"][i]);
   }
   return field;
 }

@@ -3,9 +3,9 @@
 // Guarantees: exact; keys in the order of the formats. A pocket's number is its place, and -1 is the outside.
 #pragma once
 
-#include "oracle/infinity_set.h"
 #include "oracle/location.h"
 #include "oracle/program/answer_fields.h"
+#include "oracle/stable_set.h"
 #include "tests/vectors/landscape.h"
 
 namespace oracle::vectors {
@@ -18,7 +18,7 @@ Json pockets_field(const std::vector<StationaryPoint>& all, const std::vector<Po
 // angles and persistences.
 Json medial_field(const std::vector<StationaryPoint>& all, const MedialAnswer& answer);
 // segments, intervals, sectors, and those with an end at infinity.
-Json infinity_field(const PointSet& set, const InfinitySet& infinity);
+Json infinity_field(const PointSet& set, const StableSet& infinity);
 // n_u2, n_s2, n_wcc.
 Json statistics_field(const StatisticsAnswer& answer);
 

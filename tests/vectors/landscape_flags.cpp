@@ -204,12 +204,15 @@ bool leaves_choice(const Findings& found) {
 // ---- Infinity
 
 bool has_bounded_piece(const Findings& found) {
-  return found.infinity && !(found.infinity->bounded.segments.empty() && found.infinity->bounded.sectors.empty());
+  if (!found.infinity) return false;
+  const auto& [points, segments, intervals, crossed, sectors, has_vertex] = *found.infinity;
+  return std::any_of(segments.begin(), segments.end(), [](const auto& one) { return !one.front.at_infinity; }) ||
+         !std::all_of(sectors.begin(), sectors.end(), is_unbounded);
 }
 bool has_sector_of_two_ends(const Findings& found) {
   if (!found.infinity) return false;
   const auto& all = found.infinity->sectors;
-  return std::any_of(all.begin(), all.end(), [](const UnboundedSector& sector) {
+  return std::any_of(all.begin(), all.end(), [](const Region& sector) {
     return std::count_if(sector.corners.begin(), sector.corners.end(),
                          [](const Corner& corner) { return corner.at_infinity; }) == 2;
   });
@@ -217,8 +220,9 @@ bool has_sector_of_two_ends(const Findings& found) {
 bool has_ray_from_regular(const Findings& found) {
   if (!found.infinity) return false;
   const auto& all = found.infinity->segments;
-  return std::any_of(all.begin(), all.end(),
-                     [](const UnboundedSegment& one) { return one.back_kind == BackKind::kRegular; });
+  return std::any_of(all.begin(), all.end(), [](const BackwardSegment& one) {
+    return one.front.at_infinity && one.back_kind == BackKind::kRegular;
+  });
 }
 
 // ---- Statistics
