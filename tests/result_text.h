@@ -49,27 +49,31 @@ inline auto fields(const LambdaList::Direction& d) { return std::tie(d.limit, d.
 inline auto fields(const LambdaList& l) { return std::tie(l.directions, l.arcs); }
 inline auto fields(const RoundedLambdaList::Direction& d) { return std::tie(d.limit, d.exit, d.is_vector); }
 inline auto fields(const RoundedLambdaList& l) { return std::tie(l.directions, l.arcs); }
-inline auto fields(const BackwardSegment& s) {
+template <class X>
+auto fields(const Corner<X>& c) {
+  return std::tie(c.position, c.at_infinity);
+}
+template <class X>
+auto fields(const EdgePart<X>& p) {
+  return std::tie(p.polygon, p.front, p.back);
+}
+template <class X>
+auto fields(const Crossing<X>& c) {
+  return std::tie(c.samples, c.front, c.back);
+}
+template <class X>
+auto fields(const Region<X>& r) {
+  return std::tie(r.samples, r.corners);
+}
+inline auto fields(const BackwardSegment<>& s) {
   return std::tie(s.samples, s.front, s.back, s.front_contact, s.back_contact, s.back_kind);
 }
-inline auto fields(const BackwardInterval& i) { return std::tie(i.polygon, i.front, i.back, i.back_is_stationary); }
-inline auto fields(const BackwardSector& s) { return std::tie(s.samples, s.corners); }
-inline auto fields(const StableSet& s) { return std::tie(s.segments, s.intervals, s.sectors); }
-inline auto fields(const UnboundedSegment& s) {
-  return std::tie(s.samples, s.vector, s.back, s.back_contact, s.back_kind);
-}
-inline auto fields(const UnboundedInterval& i) { return std::tie(i.polygon, i.vector, i.back, i.back_is_stationary); }
-inline auto fields(const SectorCorner& c) { return std::tie(c.is_vector, c.position); }
-inline auto fields(const UnboundedSector& s) { return std::tie(s.samples, s.corners); }
-inline auto fields(const InfinitySet& s) { return std::tie(s.bounded, s.segments, s.intervals, s.sectors); }
+inline auto fields(const BackwardInterval<>& i) { return std::tie(i.polygon, i.front, i.back, i.back_is_stationary); }
+inline auto fields(const StableSet<>& s) { return std::tie(s.segments, s.intervals, s.sectors); }
 inline auto fields(const RoundedSegments::Position& p) { return std::tie(p.sphere, p.end); }
 inline auto fields(const RoundedSegments::Segment& s) { return std::tie(s.samples, s.front, s.back); }
 inline auto fields(const RoundedSegments& s) { return std::tie(s.positions, s.segments); }
-inline auto fields(const SurfaceCorner& c) { return std::tie(c.position, c.at_infinity); }
-inline auto fields(const UnstableInterval& i) { return std::tie(i.polygon, i.from, i.to); }
-inline auto fields(const UnstableSheet& s) { return std::tie(s.samples, s.corners); }
-inline auto fields(const UnstableSegment& s) { return std::tie(s.samples, s.start, s.end); }
-inline auto fields(const UnstableSurface& s) { return std::tie(s.vertices, s.traces, s.runs, s.sheets, s.segments); }
+inline auto fields(const UnstableSurface<>& s) { return std::tie(s.vertices, s.traces, s.runs, s.sheets, s.segments); }
 inline auto fields(const UnstableSurfaceSize& s) {
   return std::tie(s.vertices, s.traces, s.runs, s.sheets, s.segments);
 }

@@ -31,60 +31,64 @@ inline ClaimedPolyline polyline_of(const std::vector<TrueSegment>& truth) {
   return line;
 }
 
-inline ClaimedSkeleton skeleton_of(const StableSet& set) {
-  ClaimedSkeleton skeleton;
-  for (const BackwardSegment& s : set.segments) {
-    skeleton.segments.push_back({{s.samples[0], s.samples[1]},
-                                 exactly(s.front),
-                                 exactly(s.back),
-                                 s.front_contact,
-                                 s.back_contact,
-                                 back_kind_text(s.back_kind)});
-  }
-  for (const BackwardInterval& i : set.intervals) {
-    skeleton.intervals.push_back({i.polygon, exactly(i.front), exactly(i.back), i.back_is_stationary});
-  }
-  for (const BackwardSector& s : set.sectors) {
-    ClaimedSector sector{{s.samples[0], s.samples[1]}, {}};
-    for (const RationalPoint& corner : s.corners) sector.corners.push_back(exactly(corner));
-    skeleton.sectors.push_back(std::move(sector));
-  }
-  return skeleton;
+// ---- Pieces ----
+
+inline Corner<ClaimedPosition> claimed(const Corner<>& corner) {
+  return {exactly(corner.position), corner.at_infinity};
+}
+inline EdgePart<ClaimedPosition> claimed(const EdgePart<>& part) {
+  return {part.polygon, claimed(part.front), claimed(part.back)};
+}
+inline Crossing<ClaimedPosition> claimed(const Crossing<>& crossing) {
+  return {crossing.samples, claimed(crossing.front), claimed(crossing.back)};
+}
+inline Region<ClaimedPosition> claimed(const Region<>& region) {
+  Region<ClaimedPosition> made{region.samples, {}};
+  for (const Corner<>& corner : region.corners) made.corners.push_back(claimed(corner));
+  return made;
+}
+inline BackwardInterval<ClaimedPosition> claimed(const BackwardInterval<>& interval) {
+  return {claimed(static_cast<const EdgePart<>&>(interval)), interval.back_is_stationary};
+}
+inline BackwardSegment<ClaimedPosition> claimed(const BackwardSegment<>& segment) {
+  BackwardSegment<ClaimedPosition> made{
+      claimed(static_cast<const Crossing<>&>(segment)), {}, segment.back_contact, segment.back_kind};
+  if (!segment.front.at_infinity) made.front_contact = segment.front_contact;
+  return made;
+}
+template <class Piece>
+auto claimed(const std::vector<Piece>& pieces) {
+  std::vector<decltype(claimed(pieces.front()))> made;
+  for (const Piece& piece : pieces) made.push_back(claimed(piece));
+  return made;
 }
 
-inline ClaimedSurface surface_of(const PointSet& points, const StableSet& set) {
+inline StableSet<ClaimedPosition> skeleton_of(const StableSet<>& set) {
+  return {claimed(set.segments), claimed(set.intervals), claimed(set.sectors)};
+}
+
+inline ClaimedSurface surface_of(const PointSet& points, const StableSet<>& set) {
   ClaimedSurface surface;
-  for (const BackwardSegment& s : set.segments) {
+  for (const BackwardSegment<>& s : set.segments) {
     for (const PointId name : s.samples) {
       const std::size_t first = surface.vertices.size();
       surface.vertices.push_back(exactly(exact_sphere(points, std::vector<PointId>{name}).center));
-      surface.vertices.push_back(exactly(s.front));
-      surface.vertices.push_back(exactly(s.back));
+      surface.vertices.push_back(exactly(s.front.position));
+      surface.vertices.push_back(exactly(s.back.position));
       surface.triangles.push_back({first, first + 1, first + 2});
     }
   }
   return surface;
 }
 
-inline ClaimedInfinity infinity_of(const InfinitySet& set) {
+inline ClaimedInfinity infinity_of(const StableSet<>& set) {
   ClaimedInfinity infinity;
-  infinity.bounded = skeleton_of(set.bounded);
-  for (const UnboundedSegment& s : set.segments) {
-    infinity.segments.push_back({{s.samples[0], s.samples[1]},
-                                 exactly(s.vector),
-                                 exactly(s.back),
-                                 s.back_contact,
-                                 back_kind_text(s.back_kind)});
-  }
-  for (const UnboundedInterval& i : set.intervals) {
-    infinity.intervals.push_back({i.polygon, exactly(i.vector), exactly(i.back), i.back_is_stationary});
-  }
-  for (const UnboundedSector& s : set.sectors) {
-    infinity.sectors.push_back({{s.samples[0], s.samples[1]}, {}});
-    for (const SectorCorner& corner : s.corners) {
-      infinity.sectors.back().corners.push_back({exactly(corner.position), corner.is_vector});
-    }
-  }
+  const auto part = [](auto& bounded, auto& unbounded, const auto& pieces) {
+    for (const auto& piece : pieces) (is_unbounded(piece) ? unbounded : bounded).push_back(claimed(piece));
+  };
+  part(infinity.bounded.segments, infinity.unbounded.segments, set.segments);
+  part(infinity.bounded.intervals, infinity.unbounded.intervals, set.intervals);
+  part(infinity.bounded.sectors, infinity.unbounded.sectors, set.sectors);
   return infinity;
 }
 
@@ -102,12 +106,12 @@ inline Claim stable_claim(const PointSet& points, Truth& truth, std::size_t firs
     if (!index.is_critical()) point.hull_dimension = index.hull_dimension;
     point.contact = contact_of(truth, i);
     if (index == StationaryIndex{2, 2} || !index.is_critical()) {
-      const StableSet set = truth.stable_set(i);
+      const StableSet<> set = truth.stable_set(i);
       const StableSummary summary = truth.stable_summary(i);
       point.stable = ClaimedStable{summary.segments, summary.has_vertex, summary.has_interval, {}, {}};
       point.stable->walk = boundary_walk(set, index, point.contact);
       point.skeleton = skeleton_of(set);
-      if (index.is_critical()) point.skeleton->orbits = connecting_orbits(set, truth.sphere(i).center);
+      if (index.is_critical()) point.orbits = connecting_orbits(set, truth.sphere(i).center);
       if (set.intervals.empty()) point.surface = surface_of(points, set);
       if (index.is_critical()) {
         point.stable->boundary.emplace();
@@ -115,7 +119,7 @@ inline Claim stable_claim(const PointSet& points, Truth& truth, std::size_t firs
         for (const std::uint32_t record : *boundary) {
           point.stable->boundary->push_back(contact_of(truth, record));
         }
-        for (const BackwardSegment& s : set.segments) {
+        for (const BackwardSegment<>& s : set.segments) {
           if (s.back_kind == BackKind::kCritical) saddles[s.back_contact].push_back({false, point.contact});
         }
       }
@@ -167,30 +171,11 @@ inline ClaimedLambdaList lambda_of(const Truth& truth, const LambdaList& list) {
   return claimed;
 }
 
-inline ClaimedCorner corner_of(const SurfaceCorner& corner) { return {exactly(corner.position), corner.at_infinity}; }
-
-inline std::vector<ClaimedUnstableInterval> intervals_of(const std::vector<UnstableInterval>& intervals) {
-  std::vector<ClaimedUnstableInterval> claimed;
-  claimed.reserve(intervals.size());
-  for (const UnstableInterval& one : intervals)
-    claimed.push_back({one.polygon, corner_of(one.from), corner_of(one.to)});
-  return claimed;
-}
-
-inline ClaimedUnstableSurface unstable_surface_of(const UnstableSurface& surface) {
-  ClaimedUnstableSurface claimed;
-  for (const RationalPoint& vertex : surface.vertices) claimed.vertices.push_back(exactly(vertex));
-  claimed.traces = intervals_of(surface.traces);
-  claimed.runs = intervals_of(surface.runs);
-  for (const UnstableSheet& sheet : surface.sheets) {
-    claimed.sheets.push_back({{sheet.samples.begin(), sheet.samples.end()}, {}});
-    for (const SurfaceCorner& corner : sheet.corners) claimed.sheets.back().corners.push_back(corner_of(corner));
-  }
-  for (const UnstableSegment& segment : surface.segments) {
-    claimed.segments.push_back(
-        {{segment.samples.begin(), segment.samples.end()}, exactly(segment.start), corner_of(segment.end)});
-  }
-  return claimed;
+inline UnstableSurface<ClaimedPosition> unstable_surface_of(const UnstableSurface<>& surface) {
+  UnstableSurface<ClaimedPosition> made{
+      {}, claimed(surface.traces), claimed(surface.runs), claimed(surface.sheets), claimed(surface.segments)};
+  for (const RationalPoint& vertex : surface.vertices) made.vertices.push_back(exactly(vertex));
+  return made;
 }
 
 // Adds all that can be claimed of unstable sets of dimension 2. Point k must be record k.

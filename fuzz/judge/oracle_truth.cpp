@@ -8,12 +8,12 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <ranges>
 #include <stdexcept>
 #include <utility>
 
 #include "flowcert/rounded_sphere.h"
 #include "fuzz/judge/hull_volume.h"
+#include "fuzz/properties/stable_pieces.h"
 #include "geometry/contract.h"
 #include "geometry/difference_of_roots.h"
 #include "oracle/fast/point_set.h"
@@ -23,7 +23,6 @@
 #include "oracle/roots.h"
 #include "oracle/stable_pieces.h"
 #include "oracle/unstable_set.h"
-#include "oracle/unstable_surface.h"
 
 namespace flowcert::judge {
 
@@ -42,87 +41,6 @@ std::vector<PointId> names_of(const auto& names) {
   std::vector<PointId> result(std::size(names));
   std::ranges::transform(names, result.begin(), [](std::size_t name) { return static_cast<PointId>(name); });
   return result;
-}
-
-std::array<PointId, 2> names_of_pair(const std::array<std::size_t, 2>& samples) {
-  return {static_cast<PointId>(samples[0]), static_cast<PointId>(samples[1])};
-}
-
-BackKind back_kind_of(oracle::BackKind kind) {
-  static constexpr std::array kKinds = {BackKind::kCritical, BackKind::kRegular, BackKind::kEdge,
-                                        BackKind::kVertex};  // as the oracle's are ordered
-  return kKinds.at(static_cast<std::size_t>(kind));
-}
-
-bool is_stationary(const oracle::PointSet& points, const oracle::Point& x) { return !oracle::flow_segment(points, x); }
-
-bool is_bounded(const oracle::Region& region) { return !oracle::is_unbounded(region); }
-
-// Without what is unbounded, and without the intervals that sectors cross, because the sectors' corners tell these.
-StableSet stable_set_of(const oracle::PointSet& points, const oracle::StableSet& set) {
-  StableSet result;
-  for (const auto& segment : set.segments) {
-    if (segment.front.at_infinity) continue;
-    result.segments.push_back({names_of_pair(segment.samples), segment.front.position, segment.back.position,
-                               names_of(segment.front_contact), names_of(segment.back_contact),
-                               back_kind_of(segment.back_kind)});
-  }
-  const std::vector<oracle::EdgePart>& along = set.intervals;
-  for (const auto& [polygon, front, back] : along) {
-    if (front.at_infinity) continue;
-    result.intervals.push_back(
-        {names_of(polygon), front.position, back.position, is_stationary(points, back.position)});
-  }
-  for (const auto& sector : set.sectors | std::views::filter(is_bounded)) {
-    auto& made = result.sectors.emplace_back(BackwardSector{names_of_pair(sector.samples), {}});
-    std::ranges::transform(sector.corners, std::back_inserter(made.corners), &oracle::Corner::position);
-  }
-  return result;
-}
-
-InfinitySet infinity_set_of(const oracle::PointSet& points, const oracle::StableSet& set) {
-  InfinitySet result{stable_set_of(points, set), {}, {}, {}};
-  for (const auto& segment : set.segments) {
-    if (!segment.front.at_infinity) continue;
-    result.segments.push_back({names_of_pair(segment.samples), segment.front.position, segment.back.position,
-                               names_of(segment.back_contact), back_kind_of(segment.back_kind)});
-  }
-  for (const auto& [polygon, front, back] : set.intervals) {
-    if (!front.at_infinity) continue;
-    result.intervals.push_back(
-        {names_of(polygon), front.position, back.position, is_stationary(points, back.position)});
-  }
-  for (const auto& sector : set.sectors | std::views::filter(oracle::is_unbounded)) {
-    result.sectors.push_back({names_of_pair(sector.samples), {}});
-    for (const auto& [at_infinity, position] : sector.corners) {
-      result.sectors.back().corners.push_back({at_infinity, position});
-    }
-  }
-  return result;
-}
-
-SurfaceCorner corner_of(const oracle::Corner& corner) { return {corner.position, corner.at_infinity}; }
-
-std::vector<UnstableInterval> intervals_of(const std::vector<oracle::EdgePart>& parts) {
-  std::vector<UnstableInterval> intervals;
-  intervals.reserve(parts.size());
-  for (const oracle::EdgePart& part : parts) {
-    intervals.push_back({names_of(part.polygon), corner_of(part.front), corner_of(part.back)});
-  }
-  return intervals;
-}
-
-UnstableSurface unstable_surface_of(const oracle::UnstableSurface& set) {
-  UnstableSurface surface{
-      {set.vertices.begin(), set.vertices.end()}, intervals_of(set.traces), intervals_of(set.runs), {}, {}};
-  for (const oracle::Region& sheet : set.sheets) {
-    UnstableSheet& made = surface.sheets.emplace_back(UnstableSheet{names_of_pair(sheet.samples), {}});
-    std::ranges::transform(sheet.corners, std::back_inserter(made.corners), corner_of);
-  }
-  for (const oracle::Crossing& segment : set.segments) {
-    surface.segments.push_back({names_of_pair(segment.samples), segment.back.position, corner_of(segment.front)});
-  }
-  return surface;
 }
 
 // Such a direction belongs to the arc (FC-CONN-01).
@@ -192,9 +110,9 @@ class OracleTruth final : public Truth {
     const oracle::StableSet& set = stable(i);
     return {oracle::segments_without_intervals(answer_.stationary[i], set), set.has_vertex, !set.intervals.empty()};
   }
-  [[nodiscard]] StableSet stable_set(std::size_t i) override { return stable_set_of(set_, stable(i)); }
-  [[nodiscard]] InfinitySet set_of_infinity() override {
-    return infinity_set_of(set_, oracle::stable_set_of_infinity(set_));
+  [[nodiscard]] StableSet<> stable_set(std::size_t i) override { return property::to_fast(set_, stable(i)); }
+  [[nodiscard]] StableSet<> set_of_infinity() override {
+    return property::to_fast(set_, oracle::stable_set_of_infinity(set_));
   }
 
   [[nodiscard]] LambdaList lambda_list(std::size_t i) override {
@@ -273,8 +191,8 @@ class OracleTruth final : public Truth {
   }
   [[nodiscard]] Rational hull_volume() override { return oracle_hull_volume(set_.points); }
 
-  [[nodiscard]] UnstableSurface unstable_surface(std::size_t i) override {
-    return unstable_surface_of(oracle::unstable_surface(set_, answer_.stationary[i]));
+  [[nodiscard]] UnstableSurface<> unstable_surface(std::size_t i) override {
+    return property::to_fast(oracle::unstable_surface(set_, answer_.stationary[i]));
   }
 
   // It takes the oracle seconds, so that they are made once.
@@ -465,8 +383,8 @@ class VectorTruth final : public Truth {
     if (!case_.stable[i]) return oracle_->stable_summary(i);
     return {case_.stable[i]->segments, case_.stable[i]->has_vertex, case_.stable[i]->has_interval};
   }
-  [[nodiscard]] StableSet stable_set(std::size_t i) override { return oracle_->stable_set(i); }
-  [[nodiscard]] InfinitySet set_of_infinity() override { return oracle_->set_of_infinity(); }
+  [[nodiscard]] StableSet<> stable_set(std::size_t i) override { return oracle_->stable_set(i); }
+  [[nodiscard]] StableSet<> set_of_infinity() override { return oracle_->set_of_infinity(); }
   [[nodiscard]] LambdaList lambda_list(std::size_t i) override { return oracle_->lambda_list(i); }
   [[nodiscard]] std::vector<FlowLimits::Entry> lambda_entries(std::size_t i) override {
     return oracle_->lambda_entries(i);
@@ -480,7 +398,7 @@ class VectorTruth final : public Truth {
     return oracle_->nearest_shares(i);
   }
   [[nodiscard]] Rational hull_volume() override { return oracle_->hull_volume(); }
-  [[nodiscard]] UnstableSurface unstable_surface(std::size_t i) override { return oracle_->unstable_surface(i); }
+  [[nodiscard]] UnstableSurface<> unstable_surface(std::size_t i) override { return oracle_->unstable_surface(i); }
   [[nodiscard]] TruePockets pockets(const Rational& squared_persistence) override {
     return oracle_->pockets(squared_persistence);
   }

@@ -133,8 +133,8 @@ std::optional<Disagreement> difference_of_unstable(const Subject& subject, const
 
 // ---- Stable sets ----
 
-std::optional<Disagreement> difference_of_pieces(const std::string& what, const Pieces& a, const char* a_name,
-                                                 const Pieces& b, const char* b_name) {
+std::optional<Disagreement> difference_of_pieces(const std::string& what, const StableSet<>& a, const char* a_name,
+                                                 const StableSet<>& b, const char* b_name) {
   if (a == b) return std::nullopt;
   const std::string kind = a.segments != b.segments ? "segments" : a.intervals != b.intervals ? "intervals" : "sectors";
   return Disagreement{kind,      kind == "segments" ? "FC-STAB-04" : "FC-STAB-05", what, a_name, text_of(a), b_name,
@@ -143,7 +143,7 @@ std::optional<Disagreement> difference_of_pieces(const std::string& what, const 
 
 // Checks what the list of stable sets says of a set without building it.
 std::optional<Disagreement> wrong_summary(const StableManifolds& manifolds, std::size_t i, const std::string& what,
-                                          const Pieces& pieces, bool has_vertex) {
+                                          const StableSet<>& pieces, bool has_vertex) {
   const auto wrong = [&](const char* said) {
     return Disagreement{"summary", "FC-STAB-02", what + ": " + said + " is wrong", kOracle, text_of(pieces), "", ""};
   };
@@ -156,7 +156,7 @@ std::optional<Disagreement> wrong_summary(const StableManifolds& manifolds, std:
 }
 
 std::optional<Disagreement> wrong_boundary(const StationaryPoints& stationary, const StableManifolds& manifolds,
-                                           std::size_t i, const std::string& what, const Pieces& pieces,
+                                           std::size_t i, const std::string& what, const StableSet<>& pieces,
                                            bool has_vertex) {
   const auto expected = boundary_of(pieces, has_vertex);
   if (!expected || !stationary.index(manifolds.record(i)).is_critical()) return std::nullopt;
@@ -200,8 +200,7 @@ std::optional<Disagreement> difference_of_stable(const Subject& subject, const S
     const StableManifolds other = sets_by(options);
     for (std::size_t i = 0; i < usual.size(); ++i) {
       const std::string what = "the stable set of " + text_of(ids(stationary.contact(usual.record(i))));
-      if (auto found =
-              difference_of_pieces(what, pieces_of(usual.set(i)), "lazy, binary", pieces_of(other.set(i)), name)) {
+      if (auto found = difference_of_pieces(what, usual.set(i), "lazy, binary", other.set(i), name)) {
         return found;
       }
       if (!std::ranges::equal(usual.boundary(i), other.boundary(i))) {
@@ -276,10 +275,10 @@ std::optional<Disagreement> check_stable_sets(const Trial& trial) {
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
     const auto z = oracle_point(subject.complex.points(), stationary, manifolds.record(i));
     const oracle::StableSet truth = oracle::stable_set(subject.set, z);
-    const Pieces pieces = pieces_of(subject.set, truth);
+    const StableSet<> pieces = to_fast(subject.set, truth);
     const std::string what = "the stable set of " + text_of(z.contact);
     for (const auto& [name, fast] : {std::pair{kFast, &manifolds}, std::pair{kLazy, &lazy}}) {
-      if (auto found = difference_of_pieces(what, pieces_of(fast->set(i)), name, pieces, kOracle)) return found;
+      if (auto found = difference_of_pieces(what, fast->set(i), name, pieces, kOracle)) return found;
       if (auto found = wrong_summary(*fast, i, what, pieces, truth.has_vertex)) return found;
       if (auto found = wrong_boundary(stationary, *fast, i, what, pieces, truth.has_vertex)) return found;
     }

@@ -1,53 +1,55 @@
-// The pieces of a stable set, segments, intervals and sectors, as either implementation has them, in one
-// form.
+// The pieces of stable and unstable sets: from either implementation's form to the other's, shape by shape, and in
+// words.
 //
-// Guarantees: exact. Two sets are the same iff their pieces compare equal.
+// Guarantees: exact. Lists keep their order. Two sets are the same iff they compare equal in one form.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
-#include "flowcert/stable_manifolds.h"
+#include "flowcert/pieces.h"
 #include "oracle/stable_set.h"
+#include "oracle/unstable_surface.h"
 
 namespace flowcert::property {
 
 using Ids = std::vector<std::size_t>;
-using SegmentKey = std::tuple<Ids, RationalPoint, RationalPoint, Ids, Ids, std::string>;
-using IntervalKey = std::tuple<Ids, RationalPoint, RationalPoint, bool>;
-using SectorKey = std::tuple<Ids, std::vector<RationalPoint>>;
-
-// A stable set as either implementation has it.
-struct Pieces {
-  std::vector<SegmentKey> segments;
-  std::vector<IntervalKey> intervals;
-  std::vector<SectorKey> sectors;
-
-  void sort() {
-    std::sort(segments.begin(), segments.end());
-    std::sort(intervals.begin(), intervals.end());
-    std::sort(sectors.begin(), sectors.end());
-  }
-  friend bool operator==(const Pieces&, const Pieces&) = default;
-};
 
 Ids ids(const auto& names) { return Ids(names.begin(), names.end()); }
 
-Pieces pieces_of(const StableSet& set);
-// The oracle also lists intervals that sectors come through. They are left out, since the sectors' corners tell them.
-Pieces pieces_of(const oracle::PointSet& points, const oracle::StableSet& set);
+// ---- To the fast implementation's form ----
+
+Corner<> to_fast(const oracle::Corner& corner);
+EdgePart<> to_fast(const oracle::EdgePart& part);
+Crossing<> to_fast(const oracle::Crossing& crossing);
+Region<> to_fast(const oracle::Region& region);
+BackwardSegment<> to_fast(const oracle::BackwardSegment& segment);
+// Without the intervals that sectors begin at, since the sectors' corners give them.
+StableSet<> to_fast(const oracle::PointSet& points, const oracle::StableSet& set);
+UnstableSurface<> to_fast(const oracle::UnstableSurface& set);
+
+// ---- To the oracle's form ----
+
+oracle::Corner to_oracle(const Corner<>& corner);
+oracle::EdgePart to_oracle(const EdgePart<>& part);
+oracle::Crossing to_oracle(const Crossing<>& crossing);
+oracle::Region to_oracle(const Region<>& region);
+oracle::BackwardSegment to_oracle(const BackwardSegment<>& segment);
+oracle::UnstableSurface to_oracle(const UnstableSurface<>& set);
+
+// ---- Questions ----
 
 // Sample pairs with an odd number of critical backs (FC-STAB-07). Returns nothing if a tie leaves the boundary open:
 // a regular back, or a Voronoi vertex, which the pieces need not show.
-std::optional<std::vector<Ids>> boundary_of(const Pieces& pieces, bool has_vertex);
+std::optional<std::vector<Ids>> boundary_of(const StableSet<>& set, bool has_vertex);
 
 std::string text_of(const RationalPoint& x);
+std::string text_of(const Corner<>& corner);
 std::string text_of(const Ids& names);
 // A line for each piece.
-std::string text_of(const Pieces& pieces);
+std::string text_of(const StableSet<>& set);
+std::string text_of(const UnstableSurface<>& set);
 
 }  // namespace flowcert::property

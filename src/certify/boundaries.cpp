@@ -45,7 +45,7 @@ bool has_tie(Truth& truth, std::size_t record) {
   if (truth.stable_summary(record).has_vertex) return true;
   const StableSet set = truth.stable_set(record);
   return std::ranges::any_of(set.segments,
-                             [](const BackwardSegment& segment) { return segment.back_kind == BackKind::kRegular; });
+                             [](const BackwardSegment<>& segment) { return segment.back_kind == BackKind::kRegular; });
 }
 
 void Boundaries::find(std::size_t k, int level, const std::string& claimed, const std::string& truth) {

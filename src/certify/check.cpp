@@ -155,6 +155,13 @@ ValueMatch CheckRun::match(const ClaimedPosition& claimed, const RationalPoint& 
   return match_position(claimed, truth_position, scale);
 }
 
+ValueMatch CheckRun::match(const Corner<ClaimedPosition>& claimed, const Corner<>& truth_corner,
+                           const ValueScale& scale) {
+  if (claimed.at_infinity != truth_corner.at_infinity) return ValueMatch::kOff;
+  return claimed.at_infinity ? match_direction(claimed.position, truth_corner.position)
+                             : match(claimed.position, truth_corner.position, scale);
+}
+
 ValueMatch CheckRun::match_direction(const ClaimedPosition& claimed, const RationalPoint& truth_vector) {
   note_exactness(is_exact(claimed));
   return match_vector(claimed, truth_vector, options.tolerance);

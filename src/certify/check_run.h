@@ -141,6 +141,9 @@ struct CheckRun {
   // match_position() and match_vector(), which note the exactness.
   [[nodiscard]] ValueMatch match(const ClaimedPosition& claimed, const RationalPoint& truth_position,
                                  const ValueScale& scale);
+  // Either of them, by what the corner is.
+  [[nodiscard]] ValueMatch match(const Corner<ClaimedPosition>& claimed, const Corner<>& truth_corner,
+                                 const ValueScale& scale);
   [[nodiscard]] ValueMatch match_direction(const ClaimedPosition& claimed, const RationalPoint& truth_vector);
   // Reports once that this is not judged, or not decided.
   void leave_unjudged(const std::string& what);

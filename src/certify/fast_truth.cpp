@@ -54,8 +54,8 @@ class FastTruth final : public Truth {
     const std::size_t k = number_of(i);
     return {complex_.stable().segment_count(k), complex_.stable().has_vertex(k), complex_.stable().has_interval(k)};
   }
-  [[nodiscard]] StableSet stable_set(std::size_t i) override { return complex_.stable().set_of_record(i); }
-  [[nodiscard]] InfinitySet set_of_infinity() override { return complex_.stable().set_of_infinity(); }
+  [[nodiscard]] StableSet<> stable_set(std::size_t i) override { return complex_.stable().set_of_record(i); }
+  [[nodiscard]] StableSet<> set_of_infinity() override { return complex_.stable().set_of_infinity(); }
 
   [[nodiscard]] LambdaList lambda_list(std::size_t i) override { return complex_.limits().list(number_of_list(i)); }
   [[nodiscard]] std::vector<FlowLimits::Entry> lambda_entries(std::size_t i) override {
@@ -80,7 +80,7 @@ class FastTruth final : public Truth {
   }
   [[nodiscard]] Rational hull_volume() override { return complex_.volumes().hull(); }
 
-  [[nodiscard]] UnstableSurface unstable_surface(std::size_t i) override {
+  [[nodiscard]] UnstableSurface<> unstable_surface(std::size_t i) override {
     const UnstableSurfaces& sets = complex_.unstable_surfaces();
     return sets.set(number_in(sets, set_records_, i));
   }

@@ -9,6 +9,7 @@
 
 #include "certify/check_run.h"
 #include "certify/finding_words.h"
+#include "certify/piece_comparison.h"
 #include "flowcert/reproducibility.h"
 #include "io/number_text.h"
 
@@ -137,6 +138,11 @@ std::string complaint_about_directions(const PointSet& points, const ClaimedPoin
   return complaint.empty() ? "" : "of the shares: " + complaint;
 }
 
+template <typename Piece>
+void add_names(const std::vector<Piece>& pieces, std::vector<std::vector<PointId>>& lists) {
+  for (const Piece& piece : pieces) lists.emplace_back(names_in(piece).begin(), names_in(piece).end());
+}
+
 // What is wrong with the ids of a stable set. The ids of a walk may repeat.
 std::string complaint_about_stable(const PointSet& points, const ClaimedPoint& point) {
   std::vector<std::vector<PointId>> lists;
@@ -146,15 +152,15 @@ std::string complaint_about_stable(const PointSet& points, const ClaimedPoint& p
   }
   if (point.skeleton) {
     for (const auto& segment : point.skeleton->segments) {
-      lists.push_back(segment.samples);
+      lists.emplace_back(segment.samples.begin(), segment.samples.end());
       if (segment.front_contact) lists.push_back(*segment.front_contact);
       if (segment.back_contact) lists.push_back(*segment.back_contact);
     }
-    for (const auto& interval : point.skeleton->intervals) lists.push_back(interval.polygon);
-    for (const auto& sector : point.skeleton->sectors) lists.push_back(sector.samples);
+    add_names(point.skeleton->intervals, lists);
+    add_names(point.skeleton->sectors, lists);
   }
-  if (point.skeleton && point.skeleton->orbits) {
-    for (const auto& chain : *point.skeleton->orbits) {
+  if (point.skeleton && point.orbits) {
+    for (const auto& chain : *point.orbits) {
       const bool exist =
           std::ranges::all_of(chain, [&](std::size_t place) { return place < point.skeleton->segments.size(); });
       if (!exist) return "of a stable set: an orbit along a segment that is not there";
@@ -163,7 +169,7 @@ std::string complaint_about_stable(const PointSet& points, const ClaimedPoint& p
   return complaint_about_contacts(points, lists, "a stable set");
 }
 
-bool is_zero_corner(const ClaimedCorner& corner) {
+bool is_zero_corner(const Corner<ClaimedPosition>& corner) {
   return corner.at_infinity && std::ranges::all_of(corner.position, [](const auto& x) { return x.value == 0; });
 }
 
@@ -171,24 +177,15 @@ bool is_zero_corner(const ClaimedCorner& corner) {
 std::string complaint_about_unstable(const PointSet& points, const ClaimedPoint& point) {
   if (!point.u1) return "";
   std::vector<std::vector<PointId>> lists;
-  std::vector<ClaimedCorner> corners;
-  for (const auto* intervals : {&point.u1->traces, &point.u1->runs}) {
-    for (const ClaimedUnstableInterval& interval : *intervals) {
-      lists.push_back(interval.polygon);
-      corners.insert(corners.end(), {interval.from, interval.to});
-    }
-  }
-  for (const ClaimedUnstableSheet& sheet : point.u1->sheets) {
-    lists.push_back(sheet.samples);
-    corners.insert(corners.end(), sheet.corners.begin(), sheet.corners.end());
-  }
-  for (const ClaimedUnstableSegment& segment : point.u1->segments) {
-    lists.push_back(segment.samples);
-    corners.push_back(segment.end);
-  }
+  add_names(point.u1->traces, lists);
+  add_names(point.u1->runs, lists);
+  add_names(point.u1->sheets, lists);
+  add_names(point.u1->segments, lists);
   const std::string complaint = complaint_about_contacts(points, lists, "an unstable set");
   if (!complaint.empty()) return complaint;
-  return std::ranges::any_of(corners, is_zero_corner) ? "of an unstable set: a vector that is zero" : "";
+  bool has_zero = false;
+  for_each_corner(*point.u1, [&](const auto& corner) { has_zero = has_zero || is_zero_corner(corner); });
+  return has_zero ? "of an unstable set: a vector that is zero" : "";
 }
 
 std::string complaint_about(const PointSet& points, const ClaimedPoint& point) {

@@ -188,7 +188,7 @@ class Incidences {
     if (saddles_above_.empty()) {
       for (std::size_t i = 0; i < run_.truth.size(); ++i) {
         if (run_.index(i) != kIndex2) continue;
-        for (const BackwardSegment& segment : run_.truth.stable_set(i).segments) {
+        for (const BackwardSegment<>& segment : run_.truth.stable_set(i).segments) {
           if (segment.back_kind != BackKind::kCritical) continue;
           const auto foot = run_.contacts.find(segment.back_contact);
           if (foot) saddles_above_[*foot].insert(i);

@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -25,11 +26,38 @@ struct Comparison {
   bool is_beyond = true;                            // each strange piece may lie beyond a regular back
 };
 
+// The polygon or the samples of a piece.
+[[nodiscard]] const auto& names_in(const auto& piece) {
+  if constexpr (requires { piece.polygon; }) {
+    return piece.polygon;
+  } else {
+    return piece.samples;
+  }
+}
+
+// Calls use(corner) for all corners of an unstable set.
+template <typename X, typename Use>
+void for_each_corner(const UnstableSurface<X>& surface, const Use& use) {
+  for (const auto* parts : {&surface.traces, &surface.runs}) {
+    for (const EdgePart<X>& part : *parts) use(part.front), use(part.back);
+  }
+  for (const Region<X>& sheet : surface.sheets) std::ranges::for_each(sheet.corners, use);
+  for (const Crossing<X>& segment : surface.segments) use(segment.front), use(segment.back);
+}
+
 // Pieces by their names. Only pieces of the same names can be partners; pieces without names have one empty list each.
 struct PieceNames {
   std::vector<std::vector<PointId>> claimed;
   std::vector<std::vector<PointId>> truth;
 
+  // Pieces of the same shape.
+  template <typename Claimed, typename True>
+  static PieceNames of(const PointSet& points, const std::vector<Claimed>& claimed, const std::vector<True>& truth) {
+    PieceNames names;
+    for (const Claimed& piece : claimed) names.claimed.push_back(class_names(points, names_in(piece)));
+    for (const True& piece : truth) names.truth.emplace_back(names_in(piece).begin(), names_in(piece).end());
+    return names;
+  }
   // Pieces that only their positions tell apart.
   static PieceNames none(std::size_t claimed_count, std::size_t true_count) {
     return {std::vector<std::vector<PointId>>(claimed_count), std::vector<std::vector<PointId>>(true_count)};
@@ -112,6 +140,50 @@ template <typename Claimed, typename True, typename Matches>
     best = std::min(best, worst);
   }
   return best;
+}
+
+// How well a claimed piece matches a true one of the same names. match_corner(claimed, truth): how well corners match.
+// Corners of a part of an edge may come in either order, unless the flow goes along it.
+template <typename Claimed, typename True, typename Match>
+[[nodiscard]] ValueMatch match_piece(const PointSet& points, const Claimed& claimed, const True& truth,
+                                     const Match& match_corner) {
+  if constexpr (requires { truth.corners; }) {
+    if (claimed.corners.empty() && truth.corners.empty()) return ValueMatch::kEqual;
+    return match_ring(claimed.corners, truth.corners, match_corner);
+  } else {
+    if constexpr (requires { truth.back_contact; }) {
+      const auto is = [&](const std::optional<std::vector<PointId>>& rows, const std::vector<PointId>& names) {
+        return !rows || class_names(points, *rows) == names;
+      };
+      const bool is_same = is(claimed.front_contact, truth.front_contact) &&
+                           is(claimed.back_contact, truth.back_contact) &&
+                           claimed.back_kind.value_or(truth.back_kind) == truth.back_kind;
+      if (!is_same) return ValueMatch::kOff;
+    }
+    if constexpr (requires { truth.back_is_stationary; }) {
+      if (claimed.back_is_stationary.value_or(truth.back_is_stationary) != truth.back_is_stationary) {
+        return ValueMatch::kOff;
+      }
+    }
+    const auto match = [&](const auto& front, const auto& back) {
+      return std::max(match_corner(front, truth.front), match_corner(back, truth.back));
+    };
+    const ValueMatch as_claimed = match(claimed.front, claimed.back);
+    constexpr bool kInEitherOrder = std::is_same_v<True, EdgePart<>>;
+    if (!kInEitherOrder || !is_wrong(as_claimed)) return as_claimed;
+    return std::min(as_claimed, match(claimed.back, claimed.front));
+  }
+}
+
+// match_corner(claimed, truth, true piece): how well corners of two pieces match. The lists must outlive the matcher.
+template <typename Claimed, typename True, typename Match>
+[[nodiscard]] PieceMatcher piece_matcher(const PointSet& points, const std::vector<Claimed>& claimed,
+                                         const std::vector<True>& truth, const Match& match_corner) {
+  return PieceMatcher(PieceNames::of(points, claimed, truth),
+                      [&points, &claimed, &truth, match_corner](std::size_t c, std::size_t i) {
+                        return match_piece(points, claimed[c], truth[i],
+                                           [&](const auto& x, const auto& y) { return match_corner(x, y, truth[i]); });
+                      });
 }
 
 }  // namespace flowcert::certify

@@ -34,28 +34,28 @@ using Triangle = std::array<Each, 3>;
 
 // For each segment: whether a claim must have it. It must if it is reached from z without passing a Voronoi vertex, or
 // if z is a maximum.
-std::vector<bool> determined_segments(const StableSet& set, const RationalPoint& z, StationaryIndex index) {
+std::vector<bool> determined_segments(const StableSet<>& set, const RationalPoint& z, StationaryIndex index) {
   std::vector<bool> determined(set.segments.size(), index == kMaximum);
   if (index.hull_dimension == 3) return determined;
   std::multimap<RationalPoint, std::size_t> by_front;
-  for (std::size_t i = 0; i < set.segments.size(); ++i) by_front.emplace(set.segments[i].front, i);
+  for (std::size_t i = 0; i < set.segments.size(); ++i) by_front.emplace(set.segments[i].front.position, i);
   std::vector<RationalPoint> fronts(1, z);
   while (!fronts.empty()) {
     const auto [first, last] = by_front.equal_range(fronts.back());
     fronts.pop_back();
     for (auto it = first; it != last; ++it) {
       determined[it->second] = true;
-      const BackwardSegment& segment = set.segments[it->second];
-      if (segment.back_kind == BackKind::kEdge) fronts.push_back(segment.back);
+      const BackwardSegment<>& segment = set.segments[it->second];
+      if (segment.back_kind == BackKind::kEdge) fronts.push_back(segment.back.position);
     }
   }
   return determined;
 }
 
 // The largest squared distance of a regular back from its samples; none if no back is regular.
-std::optional<Rational> value_of_regular_backs(const PointSet& points, const StableSet& set) {
+std::optional<Rational> value_of_regular_backs(const PointSet& points, const StableSet<>& set) {
   std::optional<Rational> value;
-  for (const BackwardSegment& segment : set.segments) {
+  for (const BackwardSegment<>& segment : set.segments) {
     if (segment.back_kind != BackKind::kRegular) continue;
     const Rational here = exact_sphere(points, segment.samples).squared_radius;
     if (!value || here > *value) value = here;
@@ -74,11 +74,11 @@ class Surfaces {
     if (point.stable) check_summary(k, *point.stable, record);
     if (!needs_set) return;
     const ExactSphere sphere = run_.truth.sphere(record);
-    const StableSet set = run_.truth.stable_set(record);
+    const StableSet<> set = run_.truth.stable_set(record);
     const ValueScale scale(sphere, run_.options.tolerance);
     const auto determined = determined_segments(set, sphere.center, run_.index(record));
     if (point.stable && point.stable->walk) check_walk(k, *point.stable->walk, record, set);
-    if (point.skeleton) check_skeleton(k, *point.skeleton, set, scale, determined);
+    if (point.skeleton) check_skeleton(k, point, set, scale, determined);
     if (point.surface) check_surface(k, *point.surface, set, scale, determined);
   }
 
@@ -113,7 +113,7 @@ class Surfaces {
 
   // Whether a set of another number of segments than the true one is permitted.
   bool may_have_segments(std::size_t count, std::size_t true_count, std::size_t record) {
-    const StableSet set = run_.truth.stable_set(record);
+    const StableSet<> set = run_.truth.stable_set(record);
     if (count > true_count) {
       if (!value_of_regular_backs(run_.points, set)) return false;
       run_.leave_unjudged(kAddedPieces);
@@ -136,7 +136,7 @@ class Surfaces {
     return a.empty();
   }
 
-  void check_walk(std::size_t k, const std::vector<PointId>& rows, std::size_t record, const StableSet& set) {
+  void check_walk(std::size_t k, const std::vector<PointId>& rows, std::size_t record, const StableSet<>& set) {
     std::vector<PointId> walk;
     walk.reserve(rows.size());
     for (const PointId row : rows) walk.push_back(run_.points.name(run_.points.ordinal_of_row(row)));
@@ -192,23 +192,14 @@ class Surfaces {
     }
   }
 
-  // The names of all pieces, which have members of the same name.
-  template <typename Claimed, typename True>
-  [[nodiscard]] PieceNames names_of(const std::vector<Claimed>& claimed, const std::vector<True>& truth,
-                                    const auto& of) const {
-    PieceNames names;
-    for (const Claimed& piece : claimed) names.claimed.push_back(class_names(run_.points, of(piece)));
-    for (const True& piece : truth) names.truth.emplace_back(of(piece).begin(), of(piece).end());
-    return names;
-  }
-
-  void check_skeleton(std::size_t k, const ClaimedSkeleton& claimed, const StableSet& set, const ValueScale& scale,
+  void check_skeleton(std::size_t k, const ClaimedPoint& point, const StableSet<>& set, const ValueScale& scale,
                       const std::vector<bool>& determined) {
-    const auto samples = [](const auto& piece) -> const auto& { return piece.samples; };
-    const auto polygon = [](const auto& piece) -> const auto& { return piece.polygon; };
-    PieceMatcher segments(names_of(claimed.segments, set.segments, samples), [&](std::size_t c, std::size_t i) {
-      return match_segment(claimed.segments[c], set.segments[i], scale);
-    });
+    const StableSet<ClaimedPosition>& claimed = *point.skeleton;
+    const auto matcher = [&](const auto& pieces, const auto& truth) {
+      return piece_matcher(run_.points, pieces, truth,
+                           [&](const auto& x, const auto& y, const auto&) { return run_.match(x, y, scale); });
+    };
+    PieceMatcher segments = matcher(claimed.segments, set.segments);
     const std::optional<Rational> regular = value_of_regular_backs(run_.points, set);
     const IsOwed is_owed = owed(determined, 1);
     const Comparison found = segments.compare(
@@ -216,60 +207,36 @@ class Surfaces {
     judge(k, found, "segment", is_owed, [&](std::size_t c) { return segment_text(claimed.segments[c]); });
     const bool is_maximum = run_.index(run_.placed[k].place->record) == kMaximum;
     const IsOwed of_maximum = [is_maximum](std::size_t) { return is_maximum; };
-    PieceMatcher intervals(names_of(claimed.intervals, set.intervals, polygon), [&](std::size_t c, std::size_t i) {
-      return match_interval(claimed.intervals[c], set.intervals[i], scale);
-    });
-    judge(k, intervals.compare(), "interval", of_maximum,
+    judge(k, matcher(claimed.intervals, set.intervals).compare(), "interval", of_maximum,
           [&](std::size_t c) { return "an interval of " + names_text(claimed.intervals[c].polygon); });
-    PieceMatcher sectors(names_of(claimed.sectors, set.sectors, samples), [&](std::size_t c, std::size_t i) {
-      return match_corners(claimed.sectors[c].corners, set.sectors[i].corners, scale);
-    });
-    judge(k, sectors.compare(), "sector", of_maximum,
+    judge(k, matcher(claimed.sectors, set.sectors).compare(), "sector", of_maximum,
           [&](std::size_t c) { return "a sector of " + names_text(claimed.sectors[c].samples); });
-    if (claimed.orbits) {
-      check_orbits(k, *claimed.orbits, found, segments, set, run_.truth.sphere(run_.placed[k].place->record).center);
+    if (point.orbits) {
+      check_orbits(k, *point.orbits, found, segments, set, run_.truth.sphere(run_.placed[k].place->record).center);
     }
   }
 
-  static std::string segment_text(const ClaimedBackwardSegment& piece) {
-    return "a segment of " + names_text(piece.samples) + " from " + position_text(piece.front) + " back to " +
-           position_text(piece.back);
-  }
-
-  ValueMatch match_segment(const ClaimedBackwardSegment& piece, const BackwardSegment& truth, const ValueScale& scale) {
-    const auto is = [this](const std::vector<PointId>& rows, const std::vector<PointId>& names) {
-      return class_names(run_.points, rows) == names;
-    };
-    const bool same = (!piece.front_contact || is(*piece.front_contact, truth.front_contact)) &&
-                      (!piece.back_contact || is(*piece.back_contact, truth.back_contact)) &&
-                      (piece.back_kind.empty() || piece.back_kind == back_kind_text(truth.back_kind));
-    if (!same) return ValueMatch::kOff;
-    return std::max(run_.match(piece.front, truth.front, scale), run_.match(piece.back, truth.back, scale));
-  }
-
-  ValueMatch match_interval(const ClaimedInterval& piece, const BackwardInterval& truth, const ValueScale& scale) {
-    if (piece.back_is_stationary.value_or(truth.back_is_stationary) != truth.back_is_stationary) {
-      return ValueMatch::kOff;
-    }
-    return std::max(run_.match(piece.front, truth.front, scale), run_.match(piece.back, truth.back, scale));
+  static std::string segment_text(const BackwardSegment<ClaimedPosition>& piece) {
+    return "a segment of " + names_text(piece.samples) + " from " + position_text(piece.front.position) + " back to " +
+           position_text(piece.back.position);
   }
 
   // Whether the segment goes back from a front that is no farther from its samples than a regular stationary point. It
   // is not judged whether both ends are as far from one sample as from the other, if they are claimed in decimals.
-  bool may_be_added(const ClaimedBackwardSegment& piece, const Rational& regular) const {
+  bool may_be_added(const BackwardSegment<ClaimedPosition>& piece, const Rational& regular) const {
+    const ClaimedPosition &front = piece.front.position, &back = piece.back.position;
     const auto far = [&](const ClaimedPosition& x, std::size_t k) {
       return squared_distance(values_of(x), sample(run_.points, piece.samples[k]));
     };
-    const bool is_flat = (!is_exact(piece.front) || far(piece.front, 0) == far(piece.front, 1)) &&
-                         (!is_exact(piece.back) || far(piece.back, 0) == far(piece.back, 1));
-    return is_flat && piece.back_kind != "vertex" && far(piece.front, 0) <= regular &&
-           far(piece.back, 0) <= far(piece.front, 0);
+    const bool is_flat =
+        (!is_exact(front) || far(front, 0) == far(front, 1)) && (!is_exact(back) || far(back, 0) == far(back, 1));
+    return is_flat && piece.back_kind != BackKind::kVertex && far(front, 0) <= regular && far(back, 0) <= far(front, 0);
   }
 
   // Connecting orbits as chains of the claimed segments. Chains through segments that are left out may be left out, and
   // chains through segments that are added beyond a regular back may be added. `matcher` has compared the segments.
   void check_orbits(std::size_t k, const std::vector<std::vector<std::size_t>>& claimed, const Comparison& segments,
-                    const PieceMatcher& matcher, const StableSet& set, const RationalPoint& z) {
+                    const PieceMatcher& matcher, const StableSet<>& set, const RationalPoint& z) {
     if (!run_.index(run_.placed[k].place->record).is_critical()) {
       run_.leave_unjudged("connecting orbits of regular stationary points");
       return;
@@ -325,16 +292,16 @@ class Surfaces {
     });
   }
 
-  void check_surface(std::size_t k, const ClaimedSurface& claimed, const StableSet& set, const ValueScale& scale,
+  void check_surface(std::size_t k, const ClaimedSurface& claimed, const StableSet<>& set, const ValueScale& scale,
                      const std::vector<bool>& determined) {
     if (!set.intervals.empty()) {
       run_.leave_unjudged("surfaces of stable sets that have parts of dimension 3");
       return;
     }
     std::vector<Triangle<RationalPoint>> truth;
-    for (const BackwardSegment& segment : set.segments) {
+    for (const BackwardSegment<>& segment : set.segments) {
       for (const PointId name : segment.samples) {
-        truth.push_back({exact_position(sample(run_.points, name)), segment.front, segment.back});
+        truth.push_back({exact_position(sample(run_.points, name)), segment.front.position, segment.back.position});
       }
     }
     const auto corners = [&](const std::array<std::size_t, 3>& triangle) {

@@ -29,12 +29,8 @@ std::string ends_text(const auto& from, const auto& to) { return " from " + from
 
 std::string vertex_text(const auto& vertex) { return "the Voronoi vertex " + position_text(vertex); }
 
-std::string trace_text(const auto& trace) {
-  return "a trace of " + names_text(trace.polygon) + ends_text(corner_text(trace.from), corner_text(trace.to));
-}
-
-std::string run_text(const auto& run) {
-  return "a run of " + names_text(run.polygon) + ends_text(corner_text(run.from), corner_text(run.to));
+std::string edge_part_text(const char* what, const auto& part) {
+  return what + names_text(part.polygon) + ends_text(corner_text(part.front), corner_text(part.back));
 }
 
 std::string sheet_text(const auto& sheet) {
@@ -49,7 +45,7 @@ std::string sheet_text(const auto& sheet) {
 
 std::string segment_text(const auto& segment) {
   return "a segment of " + names_text(segment.samples) +
-         ends_text(position_text(segment.start), corner_text(segment.end));
+         ends_text(corner_text(segment.back), corner_text(segment.front));
 }
 
 std::vector<std::size_t> places_below(std::size_t count) {
@@ -64,68 +60,25 @@ class UnstableSets {
 
   void check(std::size_t k) {
     const std::size_t record = run_.placed[k].place->record;
-    const ClaimedUnstableSurface& claimed = *run_.claim.points[k].u1;
-    const UnstableSurface truth = run_.truth.unstable_surface(record);
+    const UnstableSurface<ClaimedPosition>& claimed = *run_.claim.points[k].u1;
+    const UnstableSurface<> truth = run_.truth.unstable_surface(record);
     const ValueScale scale(run_.truth.sphere(record), run_.options.tolerance);
     note_exactness(claimed);
     check_vertices(k, claimed.vertices, truth.vertices, scale);
-    const auto polygon = [](const auto& part) { return std::span<const PointId>(part.polygon); };
-    const auto samples = [](const auto& part) { return std::span<const PointId>(part.samples); };
-    const auto interval = [&](const ClaimedUnstableInterval& a, const UnstableInterval& b) {
-      return match_interval(a, b, scale);
-    };
-    judge(k, claimed.traces, truth.traces, polygon, interval, "traces", [](const auto& t) { return trace_text(t); });
-    judge(k, claimed.runs, truth.runs, polygon, interval, "runs", [](const auto& r) { return run_text(r); });
-    judge(
-        k, claimed.sheets, truth.sheets, samples,
-        [&](const ClaimedUnstableSheet& a, const UnstableSheet& b) { return match_sheet(a, b, scale); }, "sheets",
-        [](const auto& sheet) { return sheet_text(sheet); });
-    judge(
-        k, claimed.segments, truth.segments, samples,
-        [&](const ClaimedUnstableSegment& a, const UnstableSegment& b) {
-          return std::max(match_position(a.start, b.start, scale), match_corner(a.end, b.end, scale));
-        },
-        "segments", [](const auto& segment) { return segment_text(segment); });
+    judge(k, claimed.traces, truth.traces, scale, "traces",
+          [](const auto& trace) { return edge_part_text("a trace of ", trace); });
+    judge(k, claimed.runs, truth.runs, scale, "runs", [](const auto& run) { return edge_part_text("a run of ", run); });
+    judge(k, claimed.sheets, truth.sheets, scale, "sheets", [](const auto& sheet) { return sheet_text(sheet); });
+    judge(k, claimed.segments, truth.segments, scale, "segments",
+          [](const auto& segment) { return segment_text(segment); });
   }
 
  private:
   // A report is exact if all positions and vectors are.
-  void note_exactness(const ClaimedUnstableSurface& claimed) {
+  void note_exactness(const UnstableSurface<ClaimedPosition>& claimed) {
     bool all = std::ranges::all_of(claimed.vertices, &is_exact);
-    const auto note = [&all](const ClaimedCorner& corner) { all = all && is_exact(corner.position); };
-    for (const auto* intervals : {&claimed.traces, &claimed.runs}) {
-      for (const ClaimedUnstableInterval& interval : *intervals) note(interval.from), note(interval.to);
-    }
-    for (const ClaimedUnstableSheet& sheet : claimed.sheets) std::ranges::for_each(sheet.corners, note);
-    for (const ClaimedUnstableSegment& segment : claimed.segments) {
-      all = all && is_exact(segment.start);
-      note(segment.end);
-    }
+    for_each_corner(claimed, [&](const auto& corner) { all = all && is_exact(corner.position); });
     run_.note_exactness(all);
-  }
-
-  ValueMatch match_corner(const ClaimedCorner& claimed, const SurfaceCorner& truth, const ValueScale& scale) const {
-    if (claimed.at_infinity != truth.at_infinity) return ValueMatch::kOff;
-    return truth.at_infinity ? match_vector(claimed.position, truth.position, run_.options.tolerance)
-                             : match_position(claimed.position, truth.position, scale);
-  }
-
-  ValueMatch match_interval(const ClaimedUnstableInterval& claimed, const UnstableInterval& truth,
-                            const ValueScale& scale) const {
-    const auto match = [&](const ClaimedCorner& from, const ClaimedCorner& to) {
-      const ValueMatch first = match_corner(from, truth.from, scale);
-      return first == ValueMatch::kOff ? first : std::max(first, match_corner(to, truth.to, scale));
-    };
-    const ValueMatch forward = match(claimed.from, claimed.to);
-    return is_wrong(forward) ? std::min(forward, match(claimed.to, claimed.from)) : forward;
-  }
-
-  ValueMatch match_sheet(const ClaimedUnstableSheet& claimed, const UnstableSheet& truth,
-                         const ValueScale& scale) const {
-    if (claimed.corners.empty() && truth.corners.empty()) return ValueMatch::kEqual;
-    return match_ring(claimed.corners, truth.corners, [&](const ClaimedCorner& corner, const SurfaceCorner& other) {
-      return match_corner(corner, other, scale);
-    });
   }
 
   // True vertices are in lexicographic order. Claimed ones are taken in theirs, so that each is near its partner.
@@ -141,14 +94,11 @@ class UnstableSets {
     report(k, found, "Voronoi vertices", claimed, truth, [](const auto& vertex) { return vertex_text(vertex); });
   }
 
-  template <typename Claimed, typename True, typename Names, typename Match, typename Text>
-  void judge(std::size_t k, const std::vector<Claimed>& claimed, const std::vector<True>& truth, const Names& names_in,
-             const Match& match_parts, const std::string& what, const Text& text) {
-    PieceNames names;
-    for (const Claimed& part : claimed) names.claimed.push_back(class_names(run_.points, names_in(part)));
-    for (const True& part : truth) names.truth.push_back(class_names(run_.points, names_in(part)));
-    PieceMatcher parts(names, [&](std::size_t c, std::size_t i) { return match_parts(claimed[c], truth[i]); });
-    report(k, parts.compare(), what, claimed, truth, text);
+  template <typename Claimed, typename True, typename Text>
+  void judge(std::size_t k, const std::vector<Claimed>& claimed, const std::vector<True>& truth,
+             const ValueScale& scale, const std::string& what, const Text& text) {
+    const auto match = [&](const auto& x, const auto& y, const True&) { return run_.match(x, y, scale); };
+    report(k, piece_matcher(run_.points, claimed, truth, match).compare(), what, claimed, truth, text);
   }
 
   template <typename Claimed, typename True, typename Text>

@@ -12,73 +12,6 @@ namespace flowcert::io {
 
 // ---- Written ----
 
-namespace {
-
-Json segment_field(const BackwardSegment& segment) {
-  Json field;
-  field["samples"] = segment.samples;
-  field["front"] = center_field(segment.front);
-  field["back"] = center_field(segment.back);
-  field["front_contact"] = segment.front_contact;
-  field["back_contact"] = segment.back_contact;
-  field["back_kind"] = back_kind_text(segment.back_kind);
-  return field;
-}
-
-Json interval_field(const BackwardInterval& interval) {
-  Json field;
-  field["polygon"] = interval.polygon;
-  field["front"] = center_field(interval.front);
-  field["back"] = center_field(interval.back);
-  field["back_is_stationary"] = interval.back_is_stationary;
-  return field;
-}
-
-Json segment_field(const UnboundedSegment& segment) {
-  Json field;
-  field["samples"] = segment.samples;
-  field["vector"] = center_field(segment.vector);
-  field["back"] = center_field(segment.back);
-  field["back_contact"] = segment.back_contact;
-  field["back_kind"] = back_kind_text(segment.back_kind);
-  return field;
-}
-
-Json interval_field(const UnboundedInterval& interval) {
-  Json field;
-  field["polygon"] = interval.polygon;
-  field["vector"] = center_field(interval.vector);
-  field["back"] = center_field(interval.back);
-  field["back_is_stationary"] = interval.back_is_stationary;
-  return field;
-}
-
-Json sector_field(const UnboundedSector& sector) {
-  Json field;
-  field["samples"] = sector.samples;
-  Json& corners = field["corners"] = Json::array();
-  for (const auto& [is_vector, position] : sector.corners) {
-    if (!is_vector) {
-      corners.push_back(center_field(position));
-      continue;
-    }
-    Json corner;
-    corner["vector"] = center_field(position);
-    corners.push_back(std::move(corner));
-  }
-  return field;
-}
-
-Json sector_field(const BackwardSector& sector) {
-  Json field;
-  field["samples"] = sector.samples;
-  Json& corners = field["corners"] = Json::array();
-  for (const RationalPoint& corner : sector.corners) corners.push_back(center_field(corner));
-  return field;
-}
-
-}  // namespace
-
 Json header_fields(const char* format, int format_version) {
   const Reproducibility made_by = reproducibility();
   Json fields;
@@ -163,36 +96,6 @@ Json stable_field(const StationaryPoints& stationary, const StableManifolds& s2,
   Json& boundary = field["boundary"] = Json::array();
   for (const std::uint32_t record : s2.boundary(i)) boundary.push_back(stationary.contact(record));
   return field;
-}
-
-Json skeleton_field(const StableSet& set) {
-  Json field;
-  for (const char* key : {"segments", "intervals", "sectors"}) field[key] = Json::array();
-  for (const BackwardSegment& segment : set.segments) field["segments"].push_back(segment_field(segment));
-  for (const BackwardInterval& one : set.intervals) field["intervals"].push_back(interval_field(one));
-  for (const BackwardSector& sector : set.sectors) field["sectors"].push_back(sector_field(sector));
-  return field;
-}
-
-namespace {
-
-template <class Piece>
-void write_array(std::ostream& out, const std::vector<Piece>& pieces, Json (*field_of)(const Piece&)) {
-  out << '[';
-  for (std::size_t k = 0; k < pieces.size(); ++k) out << (k == 0 ? "" : ",") << field_of(pieces[k]).dump();
-  out << ']';
-}
-
-}  // namespace
-
-void write_skeleton(std::ostream& out, const InfinitySet& set) {
-  write_array(out << R"({"segments":)", set.bounded.segments, &segment_field);
-  write_array(out << R"(,"intervals":)", set.bounded.intervals, &interval_field);
-  write_array(out << R"(,"sectors":)", set.bounded.sectors, &sector_field);
-  write_array(out << R"(,"unbounded_segments":)", set.segments, &segment_field);
-  write_array(out << R"(,"unbounded_intervals":)", set.intervals, &interval_field);
-  write_array(out << R"(,"unbounded_sectors":)", set.sectors, &sector_field);
-  out << '}';
 }
 
 Json pair_field(const PersistenceDiagram& diagram, const PersistencePair& pair) {

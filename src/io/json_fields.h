@@ -6,7 +6,6 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <ostream>
 
 #include "flowcert/orbit.h"
 #include "flowcert/stable_manifolds.h"
@@ -43,10 +42,6 @@ void add_counts(Json& object, const PointSet& points, const StationaryPoints& st
 
 // The object `stable`: what is known of the i-th set without its geometry.
 [[nodiscard]] Json stable_field(const StationaryPoints& stationary, const StableManifolds& s2, std::size_t i);
-// The object `skeleton`.
-[[nodiscard]] Json skeleton_field(const StableSet& set);
-// Writes the same of infinity, with the pieces that have ends at infinity, piece by piece: they are long.
-void write_skeleton(std::ostream& out, const InfinitySet& set);
 
 // A pair: its exact values, and the doubles nearest to them.
 [[nodiscard]] Json pair_field(const PersistenceDiagram& diagram, const PersistencePair& pair);

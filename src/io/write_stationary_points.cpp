@@ -14,7 +14,7 @@
 #include "io/json_fields.h"
 #include "io/lambda_fields.h"
 #include "io/ordered_text.h"
-#include "io/unstable_surface_field.h"
+#include "io/piece_fields.h"
 
 namespace flowcert {
 
@@ -143,7 +143,7 @@ class RecordWriter {
     if (next_s2_ == s2.size() || s2.record(next_s2_) != i) return;
     fields["stable"] = stable_field(stationary_, s2, next_s2_);
     if (wanted_.skeletons) {
-      const StableSet set = s2.set(next_s2_);
+      const StableSet<> set = s2.set(next_s2_);
       const auto walk = boundary_walk(set, stationary_.index(i), stationary_.contact(i));
       fields["stable"]["walk"] = walk ? Json(*walk) : Json(nullptr);
       fields["skeleton"] = skeleton_field(set);
@@ -231,7 +231,7 @@ void write_stationary_points(std::ostream& out, const FlowComplex& complex, cons
   const std::size_t records = wanted.sheets ? 1 : are_long ? kLongRecords : kShortRecords;
   write_in_order(count, records, complex.threads(), make, write);
   if (wanted.all && wanted.skeletons) {
-    write_skeleton(out << R"({"kind":"infinity","skeleton":)", complex.stable().set_of_infinity());
+    write_skeleton_of_infinity(out << R"({"kind":"infinity","skeleton":)", complex.stable().set_of_infinity());
     out << "}\n";
   }
   if (progress) progress(count, count);

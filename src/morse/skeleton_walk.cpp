@@ -115,38 +115,21 @@ std::array<PointId, 2> SkeletonWalk::names(FacetName facet) const {
   return names;
 }
 
-// The samples of the segment are set.
-template <class Segment>
-void SkeletonWalk::record_back(const BackwardWalk::Back& back, Segment& segment) {
+void SkeletonWalk::record_segment(const Task& task, const BackwardWalk::Back& back) {
+  BackwardSegment<>& segment = found_.segments.emplace_back();
+  segment.samples = names(task.facet);
+  segment.front = corner(task.front);
+  if (!segment.front.at_infinity) segment.front_contact = recorder_.contact(walk_.place(task.front));
   if (back.critical) {
     segment.back_contact = {segment.samples.begin(), segment.samples.end()};
-    segment.back = exact_sphere(source_.points, segment.samples).center;
+    segment.back = {exact_sphere(source_.points, segment.samples).center};
     return;
   }
-  const Location at = walk_.location(back.front);
-  const bool is_edge = at.place.kind == Place::Kind::kEdge;
+  const Place& at = walk_.place(back.front);
+  const bool is_edge = at.kind == Place::Kind::kEdge;
   segment.back_kind = back.is_regular ? BackKind::kRegular : is_edge ? BackKind::kEdge : BackKind::kVertex;
-  segment.back = flow_->exact(at);
-  segment.back_contact = recorder_.contact(at.place);
-}
-
-void SkeletonWalk::record_segment(const Task& task, const BackwardWalk::Back& back) {
-  if (walk_.is_at_infinity(task.front)) return record_unbounded_segment(task, back);
-  BackwardSegment segment;
-  segment.samples = names(task.facet);
-  const Location front = walk_.location(task.front);
-  segment.front = flow_->exact(front);
-  segment.front_contact = recorder_.contact(front.place);
-  record_back(back, segment);
-  found_.bounded.segments.push_back(std::move(segment));
-}
-
-void SkeletonWalk::record_unbounded_segment(const Task& task, const BackwardWalk::Back& back) {
-  UnboundedSegment segment;
-  segment.samples = names(task.facet);
-  segment.vector = walk_.direction(task.front);
-  record_back(back, segment);
-  found_.segments.push_back(std::move(segment));
+  segment.back = corner(back.front);
+  segment.back_contact = recorder_.contact(walk_.place(back.front));
 }
 
 FrontNumber SkeletonWalk::front_of(const Source& source) {
@@ -155,12 +138,8 @@ FrontNumber SkeletonWalk::front_of(const Source& source) {
 }
 
 void SkeletonWalk::record_interval(FrontNumber front, PolygonRef polygon, FrontNumber back, bool back_is_stationary) {
-  const std::vector<PointId> contact = recorder_.contact(Place::on_edge(polygon));
-  if (walk_.is_at_infinity(front)) {
-    found_.intervals.push_back({contact, walk_.direction(front), position(back), back_is_stationary});
-  } else {
-    found_.bounded.intervals.push_back({contact, position(front), position(back), back_is_stationary});
-  }
+  found_.intervals.push_back(
+      {{recorder_.contact(Place::on_edge(polygon)), corner(front), corner(back)}, back_is_stationary});
 }
 
 // One interval may lead to a Voronoi vertex that adds segments and more intervals.
@@ -198,25 +177,11 @@ void SkeletonWalk::record_sectors(const Arc& arc) {
 void SkeletonWalk::record_sector(FacetName facet, const SectorParts& parts, std::vector<Arc>& arcs) {
   for (const CellIndex cluster : parts.vertices) push_vertex(cluster, walk_.at_vertex(cluster));
   arcs.insert(arcs.end(), parts.arcs.begin(), parts.arcs.end());
-  std::vector<SectorCorner> corners = corners_of(parts, facet);
-  if (std::ranges::any_of(corners, &SectorCorner::is_vector)) {
-    found_.sectors.push_back({names(facet), std::move(corners)});
-    return;
-  }
-  BackwardSector sector{names(facet), {}};
-  for (SectorCorner& corner : corners) sector.corners.push_back(std::move(corner.position));
-  found_.bounded.sectors.push_back(std::move(sector));
-}
-
-std::vector<SectorCorner> SkeletonWalk::corners_of(const SectorParts& parts, FacetName facet) {
-  std::vector<SectorCorner> corners;
-  for (const FrontNumber front : parts.corners) {
-    const bool is_vector = walk_.is_at_infinity(front);
-    corners.push_back({is_vector, is_vector ? walk_.direction(front) : position(front)});
-  }
-  if (parts.has_midpoint) corners.push_back({false, exact_sphere(source_.points, names(facet)).center});
+  std::vector<Corner<>> corners;
+  for (const FrontNumber front : parts.corners) corners.push_back(corner(front));
+  if (parts.has_midpoint) corners.push_back({exact_sphere(source_.points, names(facet)).center});
   make_canonical(corners);
-  return corners;
+  found_.sectors.push_back({names(facet), std::move(corners)});
 }
 
 void SkeletonWalk::record_unbounded_facet(const UnboundedFacet& unbounded) {
@@ -233,28 +198,23 @@ void SkeletonWalk::record_unbounded_facet(const UnboundedFacet& unbounded) {
 }
 
 void SkeletonWalk::sort_found() {
-  auto& [segments, intervals, sectors] = found_.bounded;
-  std::ranges::sort(segments, {}, [](const BackwardSegment& x) { return std::tie(x.samples, x.front); });
-  std::ranges::sort(intervals, {}, [](const BackwardInterval& x) { return std::tie(x.polygon, x.front); });
-  std::ranges::sort(sectors, {}, [](const BackwardSector& x) { return std::tie(x.samples, x.corners); });
-  const auto less = [](const auto& key) { return [key](const auto& x, const auto& y) { return key(x) < key(y); }; };
-  std::ranges::sort(found_.segments, less([](const UnboundedSegment& x) { return std::tie(x.samples, x.vector); }));
-  std::ranges::sort(found_.intervals, less([](const UnboundedInterval& x) { return std::tie(x.polygon, x.vector); }));
-  std::ranges::sort(found_.sectors, less([](const UnboundedSector& x) { return std::tie(x.samples, x.corners); }));
+  std::ranges::sort(found_.segments, {}, [](const BackwardSegment<>& x) { return std::tie(x.samples, x.front); });
+  std::ranges::sort(found_.intervals, {}, [](const BackwardInterval<>& x) { return std::tie(x.polygon, x.front); });
+  std::ranges::sort(found_.sectors, {}, [](const Region<>& x) { return std::tie(x.samples, x.corners); });
 }
 
-StableSet SkeletonWalk::set(std::size_t record) {
+StableSet<> SkeletonWalk::set(std::size_t record) {
   clear();
   is_recorded_ = true;
   begin(record);
   record_intervals();
   sort_found();
-  StableSet set = std::move(found_.bounded);
+  StableSet<> set = std::move(found_);
   clear();
   return set;
 }
 
-InfinitySet SkeletonWalk::set_of_infinity() {
+StableSet<> SkeletonWalk::set_of_infinity() {
   clear();
   is_recorded_ = true;
   const UnboundedFaces unbounded = unbounded_faces(faces_);
@@ -263,7 +223,7 @@ InfinitySet SkeletonWalk::set_of_infinity() {
   follow();
   record_intervals();
   sort_found();
-  InfinitySet set = std::move(found_);
+  StableSet<> set = std::move(found_);
   clear();
   return set;
 }

@@ -51,8 +51,8 @@ class SkeletonWalk {
 
   // Walks the segments of a record's skeleton that lie before its intervals.
   const SkeletonSize& walk(std::size_t record);
-  [[nodiscard]] StableSet set(std::size_t record);
-  [[nodiscard]] InfinitySet set_of_infinity();
+  [[nodiscard]] StableSet<> set(std::size_t record);
+  [[nodiscard]] StableSet<> set_of_infinity();
   [[nodiscard]] RoundedSegments rounded_segments(std::size_t record);
 
   // Of the latest walk: its critical backs and the lengths of the orbits to them, and how many backs are regular.
@@ -91,19 +91,18 @@ class SkeletonWalk {
 
   [[nodiscard]] RoundedSegments rounded_trace();
   void sort_by_exact_fronts(RoundedSegments& rounded);
-  template <class Segment>
-  void record_back(const BackwardWalk::Back& back, Segment& segment);
   void record_segment(const Task& task, const BackwardWalk::Back& back);
-  void record_unbounded_segment(const Task& task, const BackwardWalk::Back& back);
   void record_interval(FrontNumber front, PolygonRef polygon, FrontNumber back, bool back_is_stationary);
   void record_intervals();
   void record_unbounded_facet(const UnboundedFacet& facet);
   void record_sectors(const Arc& arc);
   // Adds the arcs through which the sector's rays enter its facet.
   void record_sector(FacetName facet, const SectorParts& parts, std::vector<Arc>& arcs);
-  [[nodiscard]] std::vector<SectorCorner> corners_of(const SectorParts& parts, FacetName facet);
   void sort_found();
-  [[nodiscard]] RationalPoint position(FrontNumber front) { return flow_->exact(walk_.location(front)); }
+  [[nodiscard]] Corner<> corner(FrontNumber front) {
+    if (walk_.is_at_infinity(front)) return {walk_.direction(front), true};
+    return {flow_->exact(walk_.location(front))};
+  }
   [[nodiscard]] std::array<PointId, 2> names(FacetName facet) const;
 
   SkeletonSource source_;
@@ -120,7 +119,7 @@ class SkeletonWalk {
   std::size_t regular_backs_ = 0;
   std::vector<Source> sources_of_intervals_;
   bool is_recorded_ = false, is_traced_ = false;
-  InfinitySet found_;          // if it is recorded
+  StableSet<> found_;          // if it is recorded
   std::vector<Traced> trace_;  // all segments, if it is traced
 };
 

@@ -210,14 +210,14 @@ const char* back_kind_text(BackKind kind) {
   return kTexts.at(static_cast<std::size_t>(kind));
 }
 
-StableSet StableManifolds::set(std::size_t i) const { return set_of_record(record(i)); }
-StableSet StableManifolds::set_of_record(std::size_t record) const {
+StableSet<> StableManifolds::set(std::size_t i) const { return set_of_record(record(i)); }
+StableSet<> StableManifolds::set_of_record(std::size_t record) const {
   const geometry::IeeeDoubles ieee;
   if (parts_->stationary.index(record).hull_dimension < 2) return {};
   const auto make = [this] { return parts_->make_walk(); };
   return parts_->workers.with(make, [&](SkeletonWalk& worker) { return worker.set(record); });
 }
-InfinitySet StableManifolds::set_of_infinity() const {
+StableSet<> StableManifolds::set_of_infinity() const {
   const geometry::IeeeDoubles ieee;
   const auto make = [this] { return parts_->make_walk(); };
   return parts_->workers.with(make, [](SkeletonWalk& worker) { return worker.set_of_infinity(); });

@@ -42,11 +42,11 @@ std::optional<double> rounded_area(const PointSet& points, const RoundedSegments
   return is_decided ? std::optional(sum) : std::nullopt;
 }
 
-double exact_area(const PointSet& points, const StableSet& set) {
+double exact_area(const PointSet& points, const StableSet<>& set) {
   double sum = 0;
-  for (const BackwardSegment& segment : set.segments) {
+  for (const BackwardSegment<>& segment : set.segments) {
     const Point& p = points[points.ordinal_of_row(segment.samples[0])];
-    const RationalPoint normal = normal_of(exact_position(p), segment.front, segment.back);
+    const RationalPoint normal = normal_of(exact_position(p), segment.front.position, segment.back.position);
     sum += geometry::nearest_difference_of_roots(dot(normal, normal), 0);
   }
   return sum;

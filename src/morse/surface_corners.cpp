@@ -21,14 +21,14 @@ std::array<double, 3> coordinates(const Point& x) { return {x.x, x.y, x.z}; }
 
 RationalPoint SurfaceCorners::sample(VertexIndex v) const { return exact_position(faces_.point(v)); }
 
-SurfaceCorner SurfaceCorners::exact(const SurfaceEnd& end) {
+Corner<> SurfaceCorners::exact(const SurfaceEnd& end) {
   if (end.kind == SurfaceEnd::Kind::kPoint) return {flow_.exact(end.at)};
   if (end.kind == SurfaceEnd::Kind::kAlong) return {direction_of(faces_.diagram(), end.along), true};
   const RationalPoint x = Rational(2) * flow_.exact(end.at);
   return {as_direction(x - sample(end.facet.v0) - sample(end.facet.v1)), true};
 }
 
-SurfaceCorner SurfaceCorners::exact(PolygonRef polygon, const TraceEnd& end) {
+Corner<> SurfaceCorners::exact(PolygonRef polygon, const TraceEnd& end) {
   if (end.kind == TraceEnd::Kind::kPoint) return {flow_.exact(end.at)};
   const EdgeEnd edge_end{polygon, end.is_end(1) ? 1u : 0u};
   const Location at = flow_.end_of_edge(polygon, edge_end.end);
@@ -36,7 +36,7 @@ SurfaceCorner SurfaceCorners::exact(PolygonRef polygon, const TraceEnd& end) {
   return {direction_of(faces_.diagram(), edge_end), true};
 }
 
-SurfaceCorner SurfaceCorners::middle_of_line(PolygonRef polygon) {
+Corner<> SurfaceCorners::middle_of_line(PolygonRef polygon) {
   return {flow_.exact({Place::on_edge(polygon), flow_.add_center(faces_.corners(polygon))})};
 }
 
@@ -65,7 +65,7 @@ std::uint32_t SurfaceCorners::number(const Location& at) {
   return known_[key] = number_of({flow_.rounded(at).center, false, at, std::nullopt});
 }
 
-std::uint32_t SurfaceCorners::number(SurfaceCorner corner) {
+std::uint32_t SurfaceCorners::number(Corner<> corner) {
   const Point rounded = rounded_point(corner.position);
   return number_of({rounded, corner.at_infinity, {}, std::move(corner.position)});
 }

@@ -21,8 +21,8 @@ class SurfaceCorners {
   // Both must outlive it.
   SurfaceCorners(VoronoiFaces& faces, FlowOperator& flow) : faces_(faces), flow_(flow) {}
 
-  [[nodiscard]] SurfaceCorner exact(const SurfaceEnd& end);
-  [[nodiscard]] SurfaceCorner exact(PolygonRef polygon, const TraceEnd& end);
+  [[nodiscard]] Corner<> exact(const SurfaceEnd& end);
+  [[nodiscard]] Corner<> exact(PolygonRef polygon, const TraceEnd& end);
 
   // ---- By number ----
   // Forgets all numbers, which are of points of the latest walk.
@@ -30,9 +30,9 @@ class SurfaceCorners {
   [[nodiscard]] std::uint32_t number(const SurfaceEnd& end);
   [[nodiscard]] std::uint32_t number(PolygonRef polygon, const TraceEnd& end);
   [[nodiscard]] std::uint32_t number(const Location& at);
-  [[nodiscard]] std::uint32_t number(SurfaceCorner corner);
+  [[nodiscard]] std::uint32_t number(Corner<> corner);
   // The middle of a Voronoi edge that is a whole line: the centre of its polygon.
-  [[nodiscard]] SurfaceCorner middle_of_line(PolygonRef polygon);
+  [[nodiscard]] Corner<> middle_of_line(PolygonRef polygon);
   // Puts them into order. Returns the new number of each.
   [[nodiscard]] std::vector<std::uint32_t> sort();
   [[nodiscard]] std::vector<RoundedUnstableSurface::Corner> rounded();

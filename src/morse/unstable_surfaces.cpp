@@ -22,14 +22,6 @@ using namespace morse;
 
 namespace {
 
-auto corner_key(const SurfaceCorner& corner) { return std::tie(corner.at_infinity, corner.position); }
-bool is_lesser_corner(const SurfaceCorner& a, const SurfaceCorner& b) { return corner_key(a) < corner_key(b); }
-
-bool is_lesser_interval(const UnstableInterval& a, const UnstableInterval& b) {
-  if (a.polygon != b.polygon) return a.polygon < b.polygon;
-  return is_lesser_corner(a.from, b.from);
-}
-
 // A sheet keeps its sense.
 void make_canonical(RoundedUnstableSurface::Part& part) {
   std::vector<std::uint32_t>& corners = part.corners;
@@ -73,7 +65,7 @@ class UnstableSurfaces::Parts::Worker {
         facet_of_record(faces_.diagram(), all_.diagram.points(), all_.vertex_of, all_.stationary, record);
     return walk_.walk(facet, cell_of_record(all_.stationary, record));
   }
-  [[nodiscard]] UnstableSurface surface(std::size_t record);
+  [[nodiscard]] UnstableSurface<> surface(std::size_t record);
   [[nodiscard]] RoundedUnstableSurface rounded_surface(std::size_t record);
 
  private:
@@ -84,7 +76,7 @@ class UnstableSurfaces::Parts::Worker {
     const auto name = [this](VertexIndex v) { return all_.diagram.points().name(faces_.delaunay().ordinals[v]); };
     return {std::min(name(facet.v0), name(facet.v1)), std::max(name(facet.v0), name(facet.v1))};
   }
-  void add_intervals(PolygonRef polygon, const std::vector<TracePart>& parts, std::vector<UnstableInterval>& to);
+  void add_intervals(PolygonRef polygon, const std::vector<TracePart>& parts, std::vector<EdgePart<>>& to);
   void add_rounded(const EdgeParts& edge, RoundedParts& to);
   void add_rounded(const SheetParts& sheet, bool is_root, RoundedParts& to);
   // If P does not span space: parts of which no two directions are opposite. Counterclockwise seen from v1.
@@ -99,17 +91,17 @@ class UnstableSurfaces::Parts::Worker {
 };
 
 void UnstableSurfaces::Parts::Worker::add_intervals(PolygonRef polygon, const std::vector<TracePart>& parts,
-                                                    std::vector<UnstableInterval>& to) {
+                                                    std::vector<EdgePart<>>& to) {
   for (const TracePart& part : parts) {
-    SurfaceCorner a = corners_.exact(polygon, part.from), b = corners_.exact(polygon, part.to);
-    if (is_lesser_corner(b, a)) std::swap(a, b);
+    Corner<> a = corners_.exact(polygon, part.from), b = corners_.exact(polygon, part.to);
+    if (b < a) std::swap(a, b);
     to.push_back({recorder_.contact(Place::on_edge(polygon)), std::move(a), std::move(b)});
   }
 }
 
-UnstableSurface UnstableSurfaces::Parts::Worker::surface(std::size_t record) {
+UnstableSurface<> UnstableSurfaces::Parts::Worker::surface(std::size_t record) {
   const SurfaceParts found = parts(record);
-  UnstableSurface surface;
+  UnstableSurface<> surface;
   for (const CellIndex cluster : found.vertices) {
     surface.vertices.push_back(flow_->exact({Place::at_vertex(cluster), kNoPoint}));
   }
@@ -118,21 +110,19 @@ UnstableSurface UnstableSurfaces::Parts::Worker::surface(std::size_t record) {
     add_intervals(edge.polygon, edge.runs, surface.runs);
   }
   for (const SheetParts& sheet : found.sheets) {
-    UnstableSheet& made = surface.sheets.emplace_back(UnstableSheet{names(sheet.facet), {}});
+    Region<>& made = surface.sheets.emplace_back(Region<>{names(sheet.facet), {}});
     for (const SurfaceEnd& end : sheet.corners) made.corners.push_back(corners_.exact(end));
-    if (!made.corners.empty()) make_canonical(made.corners, is_lesser_corner);
+    if (!made.corners.empty()) make_canonical(made.corners);
   }
   for (const SegmentParts& segment : found.segments) {
-    surface.segments.push_back({names(segment.facet), flow_->exact(segment.start), corners_.exact(segment.end)});
+    surface.segments.push_back({names(segment.facet), corners_.exact(segment.end), {flow_->exact(segment.start)}});
   }
+  const auto by_front = [](const EdgePart<>& x) { return std::tie(x.polygon, x.front); };
   std::ranges::sort(surface.vertices);
-  std::ranges::sort(surface.traces, is_lesser_interval);
-  std::ranges::sort(surface.runs, is_lesser_interval);
-  std::ranges::sort(surface.sheets, [](const UnstableSheet& a, const UnstableSheet& b) {
-    if (a.samples != b.samples) return a.samples < b.samples;
-    return std::ranges::lexicographical_compare(a.corners, b.corners, is_lesser_corner);
-  });
-  std::ranges::sort(surface.segments, {}, [](const UnstableSegment& s) { return std::tie(s.samples, s.start); });
+  std::ranges::sort(surface.traces, {}, by_front);
+  std::ranges::sort(surface.runs, {}, by_front);
+  std::ranges::sort(surface.sheets, {}, [](const Region<>& x) { return std::tie(x.samples, x.corners); });
+  std::ranges::sort(surface.segments, {}, [](const Crossing<>& x) { return std::tie(x.samples, x.back); });
   return surface;
 }
 
@@ -157,11 +147,11 @@ void UnstableSurfaces::Parts::Worker::add_rounded(const EdgeParts& edge, Rounded
 std::vector<UnstableSurfaces::Parts::Worker::Corners> UnstableSurfaces::Parts::Worker::whole_facet(FacetName facet) {
   const auto at = [this](VertexIndex v) { return exact_position(faces_.point(v)); };
   const auto direction = [this](const Rational& sign, const RationalPoint& u) {
-    return corners_.number(SurfaceCorner{as_direction(sign * u), true});
+    return corners_.number(Corner<>{as_direction(sign * u), true});
   };
   const RationalPoint p0 = at(facet.v0), p1 = at(facet.v1), along = p1 - p0;
   if (faces_.dimension() == 1) {
-    const std::uint32_t m = corners_.number(SurfaceCorner{Rational(1, 2) * (p0 + p1)});
+    const std::uint32_t m = corners_.number(Corner<>{Rational(1, 2) * (p0 + p1)});
     RationalPoint u{0, along[2], -along[1]};
     if (is_zero(u)) u = {-along[2], 0, along[0]};
     const RationalPoint v = cross(along, u);
@@ -172,7 +162,7 @@ std::vector<UnstableSurfaces::Parts::Worker::Corners> UnstableSurfaces::Parts::W
   for (const RingPiece& piece : faces_.ring(facet).pieces) {
     if (piece.is_finite()) lines.push_back(piece);
   }
-  const SurfaceCorner first = corners_.middle_of_line(lines.front().polygon());
+  const Corner<> first = corners_.middle_of_line(lines.front().polygon());
   const RationalPoint normal = cross(along, at(lines.front().apex) - p0);
   RationalPoint across = cross(along, normal);
   std::uint32_t beyond = 0;
@@ -180,7 +170,7 @@ std::vector<UnstableSurfaces::Parts::Worker::Corners> UnstableSurfaces::Parts::W
     if (dot(across, at(lines.front().apex) - p0) > 0) across = -across;
     beyond = direction(1, across);
   } else {
-    SurfaceCorner second = corners_.middle_of_line(lines.back().polygon());
+    Corner<> second = corners_.middle_of_line(lines.back().polygon());
     across = second.position - first.position;
     beyond = corners_.number(std::move(second));
   }
@@ -240,7 +230,7 @@ std::size_t UnstableSurfaces::record(std::size_t i) const {
   return parts_->records[i];
 }
 
-UnstableSurface UnstableSurfaces::set(std::size_t i) const {
+UnstableSurface<> UnstableSurfaces::set(std::size_t i) const {
   const geometry::IeeeDoubles ieee;
   const auto make = [this] { return std::make_unique<Parts::Worker>(*parts_); };
   return parts_->workers.with(make, [&](Parts::Worker& worker) { return worker.surface(record(i)); });

@@ -73,17 +73,15 @@ struct SurfaceTuples {
     return exact ? ratios_of(x) : py::make_tuple(double_of(x[0]), double_of(x[1]), double_of(x[2]));
   }
   [[nodiscard]] py::tuple of(const RationalPoint& x) const { return position(x); }
-  [[nodiscard]] py::tuple of(const SurfaceCorner& corner) const {
+  [[nodiscard]] py::tuple of(const Corner<>& corner) const {
     return py::make_tuple(position(corner.position), corner.at_infinity);
   }
-  [[nodiscard]] py::tuple of(const UnstableInterval& interval) const {
-    return py::make_tuple(interval.polygon, py::make_tuple(of(interval.from), of(interval.to)));
+  [[nodiscard]] py::tuple of(const EdgePart<>& part) const {
+    return py::make_tuple(part.polygon, py::make_tuple(of(part.front), of(part.back)));
   }
-  [[nodiscard]] py::tuple of(const UnstableSheet& sheet) const {
-    return py::make_tuple(sheet.samples, list(sheet.corners));
-  }
-  [[nodiscard]] py::tuple of(const UnstableSegment& segment) const {
-    return py::make_tuple(segment.samples, position(segment.start), of(segment.end));
+  [[nodiscard]] py::tuple of(const Region<>& sheet) const { return py::make_tuple(sheet.samples, list(sheet.corners)); }
+  [[nodiscard]] py::tuple of(const Crossing<>& segment) const {
+    return py::make_tuple(segment.samples, position(segment.back.position), of(segment.front));
   }
   template <class Part>
   [[nodiscard]] py::list list(const std::vector<Part>& parts) const {
@@ -166,7 +164,7 @@ py::array Complex::connections() const {
 }
 
 py::object Complex::unstable_surface(std::size_t record, bool exact) const {
-  std::optional<UnstableSurface> surface;
+  std::optional<UnstableSurface<>> surface;
   {
     const ReleasedLock released;
     require_record(record);

@@ -14,7 +14,7 @@
 #include "io/json_fields.h"
 #include "io/lambda_fields.h"
 #include "io/number_text.h"
-#include "io/unstable_surface_field.h"
+#include "io/piece_fields.h"
 #include "oracle/program/read_records.h"
 #include "tests/cites.h"
 #include "tests/conformance/fast_landscape.h"
@@ -58,7 +58,7 @@ void add_fast_limits(const FlowComplex& complex, Json& records) {
 Json incidences_of_saddle(const FlowComplex& complex, std::size_t saddle, std::set<Json>& reached) {
   std::map<Json, std::size_t> orbits_to;
   bool has_tie = false;
-  for (const BackwardSegment& segment : complex.stable().set_of_record(complex.unstable().saddle(saddle)).segments) {
+  for (const BackwardSegment<>& segment : complex.stable().set_of_record(complex.unstable().saddle(saddle)).segments) {
     has_tie = has_tie || segment.back_kind == BackKind::kRegular || segment.back_kind == BackKind::kVertex;
     if (segment.back_kind == BackKind::kCritical) ++orbits_to[segment.back_contact];
   }

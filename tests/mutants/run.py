@@ -101,6 +101,7 @@ LIKELY = {
     "fuzz/judge/verification": ["verification_test"],
     "fuzz/judge/vector_cases": ["vector_cases_test"],
     "fuzz/judge/oracle_truth": ["oracle_truth_test"],
+    "fuzz/properties/stable_pieces": ["oracle_truth_test"],
     "fuzz/judge/peer_property": ["peer_property_test"],
     "fuzz/judge/": ["conformance_run_test"],
     "src/certify/placement": ["place_findings_test"],

@@ -47,36 +47,32 @@ std::string words_of(const std::vector<PointId>& ids) {
   for (const PointId id : ids) words += std::to_string(id) + ' ';
   return words;
 }
+std::string words_of(const std::array<PointId, 2>& ids) { return words_of(std::vector(ids.begin(), ids.end())); }
 std::string words_of(const std::optional<std::vector<PointId>>& ids) { return ids ? words_of(*ids) : "no ids"; }
 std::string words_of(const std::optional<bool>& flag) { return !flag ? "none" : *flag ? "true" : "false"; }
+
+std::string words_of(const Corner<ClaimedPosition>& corner) {
+  return (corner.at_infinity ? ", along " : ", ") + words_of(corner.position);
+}
 
 // All that is claimed of infinity, piece by piece.
 std::vector<std::string> words_of(const ClaimedInfinity& infinity) {
   std::vector<std::string> all;
-  all.reserve(infinity.bounded.segments.size());
-  for (const auto& s : infinity.bounded.segments) {
-    all.push_back("segment " + words_of(s.samples) + words_of(s.front) + words_of(s.back) + words_of(s.front_contact) +
-                  words_of(s.back_contact) + s.back_kind);
-  }
-  for (const auto& i : infinity.bounded.intervals) {
-    all.push_back("interval " + words_of(i.polygon) + words_of(i.front) + words_of(i.back) +
-                  words_of(i.back_is_stationary));
-  }
-  for (const auto& s : infinity.bounded.sectors) {
-    all.push_back("sector " + words_of(s.samples));
-    for (const ClaimedPosition& corner : s.corners) all.back() += ", " + words_of(corner);
-  }
-  for (const auto& s : infinity.segments) {
-    all.push_back("unbounded segment " + words_of(s.samples) + words_of(s.vector) + words_of(s.back) +
-                  words_of(s.back_contact) + s.back_kind);
-  }
-  for (const auto& i : infinity.intervals) {
-    all.push_back("unbounded interval " + words_of(i.polygon) + words_of(i.vector) + words_of(i.back) +
-                  words_of(i.back_is_stationary));
-  }
-  for (const auto& s : infinity.sectors) {
-    all.push_back("unbounded sector " + words_of(s.samples));
-    for (const auto& [x, at_infinity] : s.corners) all.back() += (at_infinity ? ", along " : ", ") + words_of(x);
+  for (const auto* part : {&infinity.bounded, &infinity.unbounded}) {
+    const std::string which = part == &infinity.bounded ? "" : "unbounded ";
+    for (const auto& s : part->segments) {
+      all.push_back(which + "segment " + words_of(s.samples) + words_of(s.front) + words_of(s.back) +
+                    words_of(s.front_contact) + words_of(s.back_contact) +
+                    (s.back_kind ? back_kind_text(*s.back_kind) : ""));
+    }
+    for (const auto& i : part->intervals) {
+      all.push_back(which + "interval " + words_of(i.polygon) + words_of(i.front) + words_of(i.back) +
+                    words_of(i.back_is_stationary));
+    }
+    for (const auto& s : part->sectors) {
+      all.push_back(which + "sector " + words_of(s.samples));
+      for (const auto& corner : s.corners) all.back() += words_of(corner);
+    }
   }
   return all;
 }
@@ -105,41 +101,36 @@ TEST(InfinityClaims, WhatIsWrittenReadsBackEqualAndConforms) {
 
 // ---- Claims that vary where they may.
 
-// Calls use(position, is_vector) for all positions and vectors.
+// Calls use(corner) for all corners.
 template <typename Use>
-void for_all_positions(ClaimedInfinity& infinity, const Use& use) {
-  for (auto& s : infinity.bounded.segments) use(s.front, false), use(s.back, false);
-  for (auto& i : infinity.bounded.intervals) use(i.front, false), use(i.back, false);
-  for (auto& s : infinity.bounded.sectors) {
-    for (ClaimedPosition& corner : s.corners) use(corner, false);
-  }
-  for (auto& s : infinity.segments) use(s.vector, true), use(s.back, false);
-  for (auto& i : infinity.intervals) use(i.vector, true), use(i.back, false);
-  for (auto& s : infinity.sectors) {
-    for (ClaimedCorner& corner : s.corners) use(corner.position, corner.at_infinity);
+void for_all_corners(ClaimedInfinity& infinity, const Use& use) {
+  for (auto* part : {&infinity.bounded, &infinity.unbounded}) {
+    for (auto& s : part->segments) use(s.front), use(s.back);
+    for (auto& i : part->intervals) use(i.front), use(i.back);
+    for (auto& s : part->sectors) std::ranges::for_each(s.corners, use);
   }
 }
 
 Claim in_another_order(Claim claim) {
   ClaimedInfinity& infinity = *claim.infinity;
-  for_all_positions(infinity, [](ClaimedPosition& x, bool is_vector) {
-    if (!is_vector) return;
-    for (ClaimedNumber& coordinate : x) coordinate.value *= 7;
+  for_all_corners(infinity, [](Corner<ClaimedPosition>& corner) {
+    if (!corner.at_infinity) return;
+    for (ClaimedNumber& coordinate : corner.position) coordinate.value *= 7;
   });
   const auto turn = [](auto& corners) {
     std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(below(corners.size())), corners.end());
     if (below(2) == 0) std::reverse(corners.begin(), corners.end());
   };
   for (auto& sector : infinity.bounded.sectors) turn(sector.corners);
-  for (auto& sector : infinity.sectors) turn(sector.corners);
-  std::reverse(infinity.segments.begin(), infinity.segments.end());
-  std::reverse(infinity.bounded.segments.begin(), infinity.bounded.segments.end());
+  for (auto& sector : infinity.unbounded.sectors) turn(sector.corners);
+  std::ranges::reverse(infinity.unbounded.segments);
+  std::ranges::reverse(infinity.bounded.segments);
   return claim;
 }
 
 Claim in_decimals(Claim claim) {
-  for_all_positions(*claim.infinity, [](ClaimedPosition& x, bool) {
-    for (ClaimedNumber& number : x) {
+  for_all_corners(*claim.infinity, [](Corner<ClaimedPosition>& corner) {
+    for (ClaimedNumber& number : corner.position) {
       if (const auto nearest = nearest_double(number.value)) number = {Rational(*nearest), false};
     }
   });
@@ -180,8 +171,8 @@ bool twice(std::vector<Piece>& pieces) {
 
 bool moved_position(ClaimedInfinity& infinity) {
   std::vector<ClaimedPosition*> all;
-  for_all_positions(infinity, [&](ClaimedPosition& x, bool is_vector) {
-    if (!is_vector) all.push_back(&x);
+  for_all_corners(infinity, [&](Corner<ClaimedPosition>& corner) {
+    if (!corner.at_infinity) all.push_back(&corner.position);
   });
   if (all.empty()) return false;
   Rational& x = all[below(all.size())]->at(below(3)).value;
@@ -191,8 +182,8 @@ bool moved_position(ClaimedInfinity& infinity) {
 
 bool turned_vector(ClaimedInfinity& infinity) {
   std::vector<ClaimedPosition*> all;
-  for_all_positions(infinity, [&](ClaimedPosition& x, bool is_vector) {
-    if (is_vector) all.push_back(&x);
+  for_all_corners(infinity, [&](Corner<ClaimedPosition>& corner) {
+    if (corner.at_infinity) all.push_back(&corner.position);
   });
   if (all.empty()) return false;
   ClaimedPosition& vector = *all[below(all.size())];
@@ -208,37 +199,37 @@ const std::map<std::string, Mutation>& mutations() {
       {"a segment left out", [](ClaimedInfinity& x) { return left_out(x.bounded.segments); }},
       {"an interval left out", [](ClaimedInfinity& x) { return left_out(x.bounded.intervals); }},
       {"a sector left out", [](ClaimedInfinity& x) { return left_out(x.bounded.sectors); }},
-      {"an unbounded segment left out", [](ClaimedInfinity& x) { return left_out(x.segments); }},
-      {"an unbounded interval left out", [](ClaimedInfinity& x) { return left_out(x.intervals); }},
-      {"an unbounded sector left out", [](ClaimedInfinity& x) { return left_out(x.sectors); }},
-      {"an unbounded segment twice", [](ClaimedInfinity& x) { return twice(x.segments); }},
-      {"an unbounded interval twice", [](ClaimedInfinity& x) { return twice(x.intervals); }},
-      {"an unbounded sector twice", [](ClaimedInfinity& x) { return twice(x.sectors); }},
+      {"an unbounded segment left out", [](ClaimedInfinity& x) { return left_out(x.unbounded.segments); }},
+      {"an unbounded interval left out", [](ClaimedInfinity& x) { return left_out(x.unbounded.intervals); }},
+      {"an unbounded sector left out", [](ClaimedInfinity& x) { return left_out(x.unbounded.sectors); }},
+      {"an unbounded segment twice", [](ClaimedInfinity& x) { return twice(x.unbounded.segments); }},
+      {"an unbounded interval twice", [](ClaimedInfinity& x) { return twice(x.unbounded.intervals); }},
+      {"an unbounded sector twice", [](ClaimedInfinity& x) { return twice(x.unbounded.sectors); }},
       {"a position moved", moved_position},
       {"a vector turned", turned_vector},
       {"another kind of back",
        [](ClaimedInfinity& x) {
-         if (x.segments.empty()) return false;
-         std::string& kind = x.segments[below(x.segments.size())].back_kind;
-         kind = kind == "edge" ? "critical" : "edge";
+         if (x.unbounded.segments.empty()) return false;
+         auto& kind = x.unbounded.segments[below(x.unbounded.segments.size())].back_kind;
+         kind = kind == BackKind::kEdge ? BackKind::kCritical : BackKind::kEdge;
          return true;
        }},
       {"another contact set at the back",
        [](ClaimedInfinity& x) {
-         if (x.segments.empty()) return false;
-         x.segments[below(x.segments.size())].back_contact->pop_back();
+         if (x.unbounded.segments.empty()) return false;
+         x.unbounded.segments[below(x.unbounded.segments.size())].back_contact->pop_back();
          return true;
        }},
       {"an interval from elsewhere",
        [](ClaimedInfinity& x) {
-         if (x.intervals.empty()) return false;
-         auto& flag = x.intervals[below(x.intervals.size())].back_is_stationary;
+         if (x.unbounded.intervals.empty()) return false;
+         auto& flag = x.unbounded.intervals[below(x.unbounded.intervals.size())].back_is_stationary;
          flag = !*flag;
          return true;
        }},
       {"a vector for a position", [](ClaimedInfinity& x) {
-         if (x.sectors.empty()) return false;
-         bool& at_infinity = x.sectors[below(x.sectors.size())].corners.front().at_infinity;
+         if (x.unbounded.sectors.empty()) return false;
+         bool& at_infinity = x.unbounded.sectors[below(x.unbounded.sectors.size())].corners.front().at_infinity;
          at_infinity = !at_infinity;
          return true;
        }}};

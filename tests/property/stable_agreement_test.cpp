@@ -47,16 +47,16 @@ struct Totals {
   }
 };
 
-void require_same_pieces(const Subject& subject, const std::string& what, const Pieces& a, const Pieces& b) {
+void require_same_pieces(const Subject& subject, const std::string& what, const StableSet<>& a, const StableSet<>& b) {
   require_none(subject.input, a == b ? "" : what,
                "the fast implementation's:\n" + text_of(a) + "the oracle's:\n" + text_of(b));
 }
 
 // What the list says of a set without its geometry.
 void require_right_summary(const Subject& subject, const StationaryPoints& stationary, const StableManifolds& manifolds,
-                           std::size_t i, const Pieces& pieces, bool has_vertex, Totals& totals) {
+                           std::size_t i, const StableSet<>& pieces, bool has_vertex, Totals& totals) {
   const bool has_regular_end = std::any_of(pieces.segments.begin(), pieces.segments.end(),
-                                           [](const SegmentKey& segment) { return std::get<5>(segment) == "regular"; });
+                                           [](const auto& segment) { return segment.back_kind == BackKind::kRegular; });
   require_none(subject.input, manifolds.has_vertex(i) == has_vertex ? "" : "has_vertex() is wrong", "");
   const bool has_interval = !pieces.intervals.empty();
   require_none(subject.input, manifolds.has_interval(i) == has_interval ? "" : "has_interval() is wrong", "");
@@ -68,8 +68,8 @@ void require_right_summary(const Subject& subject, const StationaryPoints& stati
   totals.with_vertex += has_vertex ? 1 : 0;
   totals.with_interval += has_interval ? 1 : 0;
   totals.regular_ends += has_regular_end ? 1 : 0;
-  totals.with_sector_cut += std::any_of(pieces.sectors.begin(), pieces.sectors.end(),
-                                        [](const SectorKey& s) { return std::get<1>(s).size() > 3; });
+  totals.with_sector_cut +=
+      std::any_of(pieces.sectors.begin(), pieces.sectors.end(), [](const Region<>& s) { return s.corners.size() > 3; });
   const auto boundary = boundary_of(pieces, has_vertex);
   if (!boundary || !stationary.index(manifolds.record(i)).is_critical()) return;
   std::vector<Ids> edges;
@@ -90,13 +90,13 @@ void require_right_sets(const Subject& subject, Totals& totals) {
   RC_ASSERT(lazy.size() == cascade.size());
   const std::size_t step = 1 + lazy.size() / kSetsByOracle;
   for (std::size_t i = 0; i < lazy.size(); i += step) {
-    const Pieces fast = pieces_of(lazy.set(i));
+    const StableSet<> fast = lazy.set(i);
     const auto z = oracle_point(subject.complex.points(), stationary, lazy.record(i));
     const oracle::StableSet by_oracle = oracle::stable_set(subject.set, z);
     const std::string name = "the stable set of " + text_of(z.contact);
-    require_same_pieces(subject, name, fast, pieces_of(subject.set, by_oracle));
-    require_same_pieces(subject, name + ", by the exact kernel", pieces_of(exact.set(i)), fast);
-    require_same_pieces(subject, name + ", by the cascade kernel", pieces_of(cascade.set(i)), fast);
+    require_same_pieces(subject, name, fast, to_fast(subject.set, by_oracle));
+    require_same_pieces(subject, name + ", by the exact kernel", exact.set(i), fast);
+    require_same_pieces(subject, name + ", by the cascade kernel", cascade.set(i), fast);
     const bool same_boundary = std::ranges::equal(cascade.boundary(i), lazy.boundary(i)) &&
                                cascade.has_vertex(i) == lazy.has_vertex(i) &&
                                cascade.has_interval(i) == lazy.has_interval(i);
@@ -114,14 +114,14 @@ void require_right_maxima(const Subject& subject, Totals& totals) {
                               {{ConstructionKernel::kExact, FacetSearch::kLinear}});
   for (std::size_t record = 0; record < stationary.size(); ++record) {
     if (stationary.index(record) != StationaryIndex{3, 3}) continue;
-    const Pieces fast = pieces_of(subject.complex.stable().set_of_record(record));
+    const StableSet<> fast = subject.complex.stable().set_of_record(record);
     const auto z = oracle_point(subject.complex.points(), stationary, record);
     const std::string name = "the stable set of the maximum " + text_of(z.contact);
-    require_same_pieces(subject, name, fast, pieces_of(subject.set, oracle::stable_set(subject.set, z)));
-    require_same_pieces(subject, name + ", by the exact kernel", pieces_of(exact.set_of_record(record)), fast);
+    require_same_pieces(subject, name, fast, to_fast(subject.set, oracle::stable_set(subject.set, z)));
+    require_same_pieces(subject, name + ", by the exact kernel", exact.set_of_record(record), fast);
     ++totals.sets;
-    totals.with_sector_cut += std::any_of(fast.sectors.begin(), fast.sectors.end(),
-                                          [](const SectorKey& s) { return std::get<1>(s).size() > 3; });
+    totals.with_sector_cut +=
+        std::any_of(fast.sectors.begin(), fast.sectors.end(), [](const Region<>& s) { return s.corners.size() > 3; });
   }
 }
 

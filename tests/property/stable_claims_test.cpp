@@ -49,20 +49,20 @@ Claim claim_in_decimals(Claim claim) {
   for (ClaimedPoint& point : claim.points) {
     if (point.skeleton) {
       for (auto& segment : point.skeleton->segments) {
-        round_off(segment.front);
-        round_off(segment.back);
+        round_off(segment.front.position);
+        round_off(segment.back.position);
       }
       for (auto& interval : point.skeleton->intervals) {
-        round_off(interval.front);
-        round_off(interval.back);
+        round_off(interval.front.position);
+        round_off(interval.back.position);
       }
       for (auto& sector : point.skeleton->sectors) {
-        for (ClaimedPosition& corner : sector.corners) round_off(corner);
+        for (auto& corner : sector.corners) round_off(corner.position);
         std::ranges::reverse(sector.corners);
       }
       std::ranges::reverse(point.skeleton->segments);
-      if (point.skeleton->orbits) {
-        for (auto& chain : *point.skeleton->orbits) {
+      if (point.orbits) {
+        for (auto& chain : *point.orbits) {
           for (std::size_t& place : chain) place = point.skeleton->segments.size() - 1 - place;
         }
       }
@@ -97,10 +97,10 @@ Claim without_what_is_beyond(const Subject& subject, Claim claim, std::size_t& l
     point.surface.reset();
     point.skeleton->intervals.clear();
     point.skeleton->sectors.clear();
-    point.skeleton->orbits.reset();  // they name segments by their places
-    const StableSet set = subject.truth->stable_set(i);
-    std::erase_if(point.skeleton->segments, [&](const ClaimedBackwardSegment& segment) {
-      const auto is_vertex = [&](const BackwardSegment& s) {
+    point.orbits.reset();  // they name segments by their places
+    const StableSet<> set = subject.truth->stable_set(i);
+    std::erase_if(point.skeleton->segments, [&](const BackwardSegment<ClaimedPosition>& segment) {
+      const auto is_vertex = [&](const BackwardSegment<>& s) {
         return s.back_kind == BackKind::kVertex && s.back_contact == *segment.front_contact;
       };
       const bool leaves_vertex = std::ranges::any_of(set.segments, is_vertex);
@@ -212,8 +212,8 @@ std::optional<Mutant> moved_skeleton(const Subject&, const Claim& claim) {
   if (!k) return std::nullopt;
   Mutant mutant{claim, 5, kFirstLine + *k};
   auto& segments = mutant.claim.points[*k].skeleton->segments;
-  ClaimedBackwardSegment& segment = segments[below(segments.size())];
-  if (!move(below(2) == 0 ? segment.front : segment.back)) return std::nullopt;
+  BackwardSegment<ClaimedPosition>& segment = segments[below(segments.size())];
+  if (!move(below(2) == 0 ? segment.front.position : segment.back.position)) return std::nullopt;
   return mutant;
 }
 
@@ -224,7 +224,7 @@ std::optional<Mutant> moved_corner(const Subject&, const Claim& claim) {
   Mutant mutant{claim, 5, kFirstLine + *k};
   auto& sectors = mutant.claim.points[*k].skeleton->sectors;
   auto& corners = sectors[below(sectors.size())].corners;
-  if (!move(corners[below(corners.size())])) return std::nullopt;
+  if (!move(corners[below(corners.size())].position)) return std::nullopt;
   return mutant;
 }
 
@@ -234,8 +234,8 @@ std::optional<Mutant> moved_interval(const Subject&, const Claim& claim) {
   if (!k) return std::nullopt;
   Mutant mutant{claim, 5, kFirstLine + *k};
   auto& intervals = mutant.claim.points[*k].skeleton->intervals;
-  ClaimedInterval& interval = intervals[below(intervals.size())];
-  if (!move(below(2) == 0 ? interval.front : interval.back)) return std::nullopt;
+  BackwardInterval<ClaimedPosition>& interval = intervals[below(intervals.size())];
+  if (!move(below(2) == 0 ? interval.front.position : interval.back.position)) return std::nullopt;
   return mutant;
 }
 
@@ -254,10 +254,11 @@ std::optional<Mutant> segment_less(const Subject& subject, const Claim& claim) {
   if (!k) return std::nullopt;
   Mutant mutant{claim, 5, kFirstLine + *k};
   auto& segments = mutant.claim.points[*k].skeleton->segments;
-  const auto own = std::ranges::find_if(
-      segments, [&](const ClaimedBackwardSegment& segment) { return *segment.front_contact == subject.contact(*k); });
+  const auto own = std::ranges::find_if(segments, [&](const BackwardSegment<ClaimedPosition>& segment) {
+    return *segment.front_contact == subject.contact(*k);
+  });
   segments.erase(own);
-  mutant.claim.points[*k].skeleton->orbits.reset();  // they name segments by their places
+  mutant.claim.points[*k].orbits.reset();  // they name segments by their places
   return mutant;
 }
 
@@ -268,7 +269,7 @@ std::optional<Mutant> piece_twice(const Subject&, const Claim& claim) {
   ClaimedPoint& point = mutant.claim.points[*k];
   auto& segments = point.skeleton->segments;
   // Where a back is regular, a piece nearer to the samples may be one that a perturbation adds.
-  if (std::ranges::any_of(segments, [](const auto& segment) { return segment.back_kind == "regular"; })) {
+  if (std::ranges::any_of(segments, [](const auto& segment) { return segment.back_kind == BackKind::kRegular; })) {
     return std::nullopt;
   }
   if (point.surface && below(2) == 0) {
@@ -293,12 +294,11 @@ std::optional<Mutant> triangle_less(const Subject& subject, const Claim& claim) 
 }
 
 std::optional<Mutant> other_orbits(const Subject&, const Claim& claim) {
-  const auto k = some_point(claim, [](const ClaimedPoint& point) {
-    return point.skeleton && point.skeleton->orbits && !point.skeleton->orbits->empty();
-  });
+  const auto k = some_point(
+      claim, [](const ClaimedPoint& point) { return point.skeleton && point.orbits && !point.orbits->empty(); });
   if (!k) return std::nullopt;
   Mutant mutant{claim, 5, kFirstLine + *k};
-  auto& orbits = *mutant.claim.points[*k].skeleton->orbits;
+  auto& orbits = *mutant.claim.points[*k].orbits;
   const std::size_t at = below(orbits.size());
   switch (below(4)) {
     case 0:
@@ -322,9 +322,9 @@ std::optional<Mutant> other_summary(const Subject&, const Claim& claim) {
   if (!k) return std::nullopt;
   Mutant mutant{claim, 5, kFirstLine + *k};
   ClaimedStable& stable = *mutant.claim.points[*k].stable;
-  const bool has_regular_back =
-      std::ranges::any_of(mutant.claim.points[*k].skeleton->segments,
-                          [](const ClaimedBackwardSegment& segment) { return segment.back_kind == "regular"; });
+  const bool has_regular_back = std::ranges::any_of(
+      mutant.claim.points[*k].skeleton->segments,
+      [](const BackwardSegment<ClaimedPosition>& segment) { return segment.back_kind == BackKind::kRegular; });
   switch (below(3)) {
     case 0:
       if (has_regular_back && *stable.has_vertex) return std::nullopt;

@@ -47,7 +47,7 @@ constexpr int kHalvings = 60;
 struct FastSet {
   std::size_t number = 0;
   StationaryPoint z;
-  StableSet pieces;
+  StableSet<> pieces;
   oracle::StableSet skeleton;
 
   [[nodiscard]] bool is_surface() const { return pieces.intervals.empty(); }
@@ -60,7 +60,7 @@ struct FastSets {
         manifolds(subject.complex.diagram(), stationary, {.flow = {.kernel = kernel}}) {
     for (std::size_t i = 0; i < manifolds.size(); ++i) {
       const StationaryPoint z = oracle_point(subject.complex.points(), stationary, manifolds.record(i));
-      const StableSet set = manifolds.set(i);
+      const StableSet<> set = manifolds.set(i);
       sets.push_back({i, z, set, skeleton_of(subject.set, z, set)});
     }
   }
@@ -69,8 +69,7 @@ struct FastSets {
   }
   void require(bool holds, const std::string& complaint, const FastSet& set) const {
     if (holds) return;
-    require_none(subject.input, complaint + ", in the set of " + text_of(set.z.contact),
-                 text_of(pieces_of(set.pieces)));
+    require_none(subject.input, complaint + ", in the set of " + text_of(set.z.contact), text_of(set.pieces));
   }
 
   const Subject& subject;
@@ -385,10 +384,10 @@ TEST(StableInvariants, EveryPointIsInTheSetOfItsLimitAndInNoOther) {
 std::optional<Point> next_front(const FastSets& all, const FastSet& set, const Point& y) {
   std::vector<Point> fronts;
   for (const auto& s : set.pieces.segments) {
-    if (s.back == y) fronts.push_back(s.front);
+    if (s.back.position == y) fronts.push_back(s.front.position);
   }
   for (const auto& i : set.pieces.intervals) {
-    if (i.back == y) fronts.push_back(i.front);
+    if (i.back.position == y) fronts.push_back(i.front.position);
   }
   all.require(fronts.size() <= 1, "two ways on from " + text_of(y), set);
   return fronts.empty() ? std::nullopt : std::optional(fronts.front());
@@ -398,9 +397,9 @@ struct OrbitsSeen {
   std::size_t orbits = 0, several_steps = 0, through_vertices = 0, longest = 0, from_regular = 0;
 };
 
-void require_connecting_orbit(const FastSets& all, const FastSet& set, const BackwardSegment& last, rc::Random& random,
-                              OrbitsSeen& seen) {
-  std::vector<Point> fronts = {last.front};
+void require_connecting_orbit(const FastSets& all, const FastSet& set, const BackwardSegment<>& last,
+                              rc::Random& random, OrbitsSeen& seen) {
+  std::vector<Point> fronts = {last.front.position};
   while (fronts.back() != set.z.center) {
     const std::optional<Point> next = next_front(all, set, fronts.back());
     if (!next) break;
@@ -410,7 +409,7 @@ void require_connecting_orbit(const FastSets& all, const FastSet& set, const Bac
   }
   const bool is_whole = fronts.back() == set.z.center;
   all.require(is_whole || !set.is_surface(), "no way on from " + text_of(fronts.back()), set);
-  const Point x = mixture({last.front, last.back}, random);
+  const Point x = mixture({last.front.position, last.back.position}, random);
   const oracle::Orbit orbit = oracle::orbit(all.subject.set, x);
   all.require(orbit.limit == set.z, text_of(x) + " of a segment flows elsewhere", set);
   const bool same_length = orbit.segments.size() == fronts.size();
@@ -432,7 +431,7 @@ TEST(StableInvariants, ConnectingOrbitsPassTheFrontsOfTheirSegments) {
   OrbitsSeen seen;
   const bool held = holds_for_inputs(12, [&](const FastSets& all, rc::Random& random) {
     for (const FastSet& set : some_of(all.sets, kSetsOfAnInput, random)) {
-      for (const BackwardSegment& s : set.pieces.segments) {
+      for (const BackwardSegment<>& s : set.pieces.segments) {
         const bool is_last = s.back_kind == BackKind::kCritical || s.back_kind == BackKind::kRegular;
         if (is_last) require_connecting_orbit(all, set, s, random, seen);
       }

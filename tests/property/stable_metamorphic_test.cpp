@@ -15,6 +15,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -34,7 +35,7 @@ namespace {
 constexpr int kInputsPerFamily = 35;
 
 struct SetAnswer {
-  Pieces pieces;
+  StableSet<> pieces;
   std::optional<std::set<Ids>> boundary;  // where no tie is broken
 
   friend bool operator==(const SetAnswer&, const SetAnswer&) = default;
@@ -55,7 +56,7 @@ struct Transformation {
   bool is_identity = false;
 };
 
-bool has_tie(const StableManifolds& manifolds, std::size_t i, const StableSet& set) {
+bool has_tie(const StableManifolds& manifolds, std::size_t i, const StableSet<>& set) {
   return manifolds.has_vertex(i) || std::any_of(set.segments.begin(), set.segments.end(),
                                                 [](const auto& s) { return s.back_kind == BackKind::kRegular; });
 }
@@ -67,9 +68,9 @@ StableAnswer answer_of(const fuzz::Input& input) {
   StableAnswer answer{{}, exact_pairs(complex.persistence())};
   for (std::size_t i = 0; i < stable.size(); ++i) {
     const std::size_t record = stable.record(i);
-    const StableSet set = stable.set(i);
+    const StableSet<> set = stable.set(i);
     SetAnswer& own = answer.sets[ids(stationary.contact(record))];
-    own.pieces = pieces_of(set);
+    own.pieces = set;
     if (!stationary.index(record).is_critical() || has_tie(stable, i, set)) continue;
     own.boundary.emplace();
     for (const std::uint32_t cell : stable.boundary(i)) own.boundary->insert(ids(stationary.contact(cell)));
@@ -83,28 +84,35 @@ Ids renamed(Ids contact, const Names& names) {
   return contact;
 }
 
-// The moved corners, from the least one towards the lesser of its neighbours.
-std::vector<RationalPoint> moved_corners(std::vector<RationalPoint> corners, const Transformation& by) {
-  for (RationalPoint& corner : corners) corner = by.move(corner);
-  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-  if (corners.back() < corners[1]) std::reverse(corners.begin() + 1, corners.end());
-  return corners;
+template <class List>
+void rename(List& contact, const Names& names) {
+  for (PointId& name : contact) name = names.empty() ? name : static_cast<PointId>(names[name]);
+  std::ranges::sort(contact);
 }
 
-Pieces moved(const Pieces& pieces, const Transformation& by) {
-  Pieces result;
-  for (const auto& [samples, front, back, front_contact, back_contact, kind] : pieces.segments) {
-    result.segments.emplace_back(renamed(samples, by.names), by.move(front), by.move(back),
-                                 renamed(front_contact, by.names), renamed(back_contact, by.names), kind);
+void move(Corner<>& corner, const Transformation& by) { corner.position = by.move(corner.position); }
+
+// The moved corners, from the least one towards the lesser of its neighbours.
+void move(std::vector<Corner<>>& corners, const Transformation& by) {
+  for (Corner<>& corner : corners) move(corner, by);
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  if (corners.back() < corners[1]) std::reverse(corners.begin() + 1, corners.end());
+}
+
+StableSet<> moved(StableSet<> set, const Transformation& by) {
+  for (BackwardSegment<>& segment : set.segments) {
+    rename(segment.samples, by.names), rename(segment.front_contact, by.names), rename(segment.back_contact, by.names);
+    move(segment.front, by), move(segment.back, by);
   }
-  for (const auto& [polygon, front, back, is_stationary] : pieces.intervals) {
-    result.intervals.emplace_back(renamed(polygon, by.names), by.move(front), by.move(back), is_stationary);
+  for (BackwardInterval<>& interval : set.intervals) {
+    rename(interval.polygon, by.names);
+    move(interval.front, by), move(interval.back, by);
   }
-  for (const auto& [samples, corners] : pieces.sectors) {
-    result.sectors.emplace_back(renamed(samples, by.names), moved_corners(corners, by));
-  }
-  result.sort();
-  return result;
+  for (Region<>& sector : set.sectors) rename(sector.samples, by.names), move(sector.corners, by);
+  std::ranges::sort(set.segments, {}, [](const auto& s) { return std::tie(s.samples, s.front); });
+  std::ranges::sort(set.intervals, {}, [](const auto& i) { return std::tie(i.polygon, i.front); });
+  std::ranges::sort(set.sectors, {}, [](const auto& s) { return std::tie(s.samples, s.corners); });
+  return set;
 }
 
 StableAnswer moved(const StableAnswer& answer, const Transformation& by) {

@@ -2,10 +2,11 @@
 #include "tests/property/stable_skeleton.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <utility>
 #include <vector>
+
+#include "fuzz/properties/stable_pieces.h"
 
 namespace flowcert::property {
 namespace {
@@ -46,35 +47,30 @@ class Conversion {
     result_.points.push_back({x, contact});
   }
 
-  void add(const BackwardSegment& s) {
-    static const std::map<BackKind, oracle::BackKind> kinds = {{BackKind::kCritical, oracle::BackKind::kCritical},
-                                                               {BackKind::kRegular, oracle::BackKind::kRegular},
-                                                               {BackKind::kEdge, oracle::BackKind::kEdge},
-                                                               {BackKind::kVertex, oracle::BackKind::kVertex}};
-    result_.segments.push_back({{{s.samples[0], s.samples[1]}, s.front, s.back},
-                                {s.front_contact.begin(), s.front_contact.end()},
-                                {s.back_contact.begin(), s.back_contact.end()},
-                                kinds.at(s.back_kind)});
-    add_point(s.front);
-    if (s.back_kind == BackKind::kEdge || s.back_kind == BackKind::kVertex) add_point(s.back);
+  void add(const BackwardSegment<>& s) {
+    result_.segments.push_back(to_oracle(s));
+    add_point(s.front.position);
+    if (s.back_kind == BackKind::kEdge || s.back_kind == BackKind::kVertex) add_point(s.back.position);
   }
 
-  void add(const BackwardInterval& i) {
-    result_.intervals.push_back({{i.polygon.begin(), i.polygon.end()}, i.front, i.back});
-    add_point(i.front);
-    if (!i.back_is_stationary) add_point(i.back);
+  void add(const BackwardInterval<>& i) {
+    result_.intervals.push_back(to_oracle(i));
+    add_point(i.front.position);
+    if (!i.back_is_stationary) add_point(i.back.position);
   }
 
-  void add(const BackwardSector& s) {
-    result_.sectors.push_back({{s.samples[0], s.samples[1]}, {s.corners.begin(), s.corners.end()}});
-    const std::size_t count = s.corners.size();
+  void add(const Region<>& s) {
+    result_.sectors.push_back(to_oracle(s));
+    std::vector<Point> corners;
+    for (const Corner<>& corner : s.corners) corners.push_back(corner.position);
+    const std::size_t count = corners.size();
     const Point m = middle(point_of(set_, s.samples[0]), point_of(set_, s.samples[1]));
-    const Point normal = normal_of(s.corners);
+    const Point normal = normal_of(corners);
     for (std::size_t i = 0; i < count; ++i) {
-      if (!is_exit(s.corners, normal, m, i)) continue;
-      const auto [a, b] = std::minmax(s.corners[i], s.corners[(i + 1) % count]);
+      if (!is_exit(corners, normal, m, i)) continue;
+      const auto [a, b] = std::minmax(corners[i], corners[(i + 1) % count]);
       result_.crossed.push_back({oracle::contact_set(set_, middle(a, b)), a, b});
-      if (is_exit(s.corners, normal, m, i + 1)) add_point(s.corners[(i + 1) % count]);
+      if (is_exit(corners, normal, m, i + 1)) add_point(corners[(i + 1) % count]);
     }
   }
 
@@ -95,12 +91,12 @@ class Conversion {
 
 }  // namespace
 
-oracle::StableSet skeleton_of(const oracle::PointSet& set, const oracle::StationaryPoint& z, const StableSet& fast) {
+oracle::StableSet skeleton_of(const oracle::PointSet& set, const oracle::StationaryPoint& z, const StableSet<>& fast) {
   Conversion conversion(set);
   conversion.add_point(z.center);
-  for (const BackwardSegment& s : fast.segments) conversion.add(s);
-  for (const BackwardInterval& i : fast.intervals) conversion.add(i);
-  for (const BackwardSector& s : fast.sectors) conversion.add(s);
+  for (const BackwardSegment<>& s : fast.segments) conversion.add(s);
+  for (const BackwardInterval<>& i : fast.intervals) conversion.add(i);
+  for (const Region<>& s : fast.sectors) conversion.add(s);
   return std::move(conversion).sorted();
 }
 

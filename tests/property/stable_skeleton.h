@@ -13,6 +13,6 @@
 
 namespace flowcert::property {
 
-oracle::StableSet skeleton_of(const oracle::PointSet& set, const oracle::StationaryPoint& z, const StableSet& fast);
+oracle::StableSet skeleton_of(const oracle::PointSet& set, const oracle::StationaryPoint& z, const StableSet<>& fast);
 
 }  // namespace flowcert::property

@@ -50,30 +50,32 @@ struct Subject : ClaimSubject {
   }
 };
 
+using Surface = UnstableSurface<ClaimedPosition>;
+
 // ---- What is written reads back.
 
 bool are_equal(const ClaimedPosition& a, const ClaimedPosition& b) {
   return values_of(a) == values_of(b) && is_exact(a) == is_exact(b);
 }
-bool are_equal(const ClaimedCorner& a, const ClaimedCorner& b) {
+bool are_equal(const Corner<ClaimedPosition>& a, const Corner<ClaimedPosition>& b) {
   return a.at_infinity == b.at_infinity && are_equal(a.position, b.position);
 }
-bool are_equal(const ClaimedUnstableInterval& a, const ClaimedUnstableInterval& b) {
-  return a.polygon == b.polygon && are_equal(a.from, b.from) && are_equal(a.to, b.to);
+template <typename Part>
+bool are_equal(const std::vector<Part>& a, const std::vector<Part>& b);
+bool are_equal(const EdgePart<ClaimedPosition>& a, const EdgePart<ClaimedPosition>& b) {
+  return a.polygon == b.polygon && are_equal(a.front, b.front) && are_equal(a.back, b.back);
 }
-bool are_equal(const ClaimedUnstableSheet& a, const ClaimedUnstableSheet& b);
-bool are_equal(const ClaimedUnstableSegment& a, const ClaimedUnstableSegment& b);
+bool are_equal(const Region<ClaimedPosition>& a, const Region<ClaimedPosition>& b) {
+  return a.samples == b.samples && are_equal(a.corners, b.corners);
+}
+bool are_equal(const Crossing<ClaimedPosition>& a, const Crossing<ClaimedPosition>& b) {
+  return a.samples == b.samples && are_equal(a.front, b.front) && are_equal(a.back, b.back);
+}
 template <typename Part>
 bool are_equal(const std::vector<Part>& a, const std::vector<Part>& b) {
   return std::ranges::equal(a, b, [](const Part& x, const Part& y) { return are_equal(x, y); });
 }
-bool are_equal(const ClaimedUnstableSheet& a, const ClaimedUnstableSheet& b) {
-  return a.samples == b.samples && are_equal(a.corners, b.corners);
-}
-bool are_equal(const ClaimedUnstableSegment& a, const ClaimedUnstableSegment& b) {
-  return a.samples == b.samples && are_equal(a.start, b.start) && are_equal(a.end, b.end);
-}
-bool are_equal(const ClaimedUnstableSurface& a, const ClaimedUnstableSurface& b) {
+bool are_equal(const Surface& a, const Surface& b) {
   return are_equal(a.vertices, b.vertices) && are_equal(a.traces, b.traces) && are_equal(a.runs, b.runs) &&
          are_equal(a.sheets, b.sheets) && are_equal(a.segments, b.segments);
 }
@@ -117,8 +119,8 @@ TEST(UnstableClaims, WhatIsWrittenReadsBackEqualAndConforms) {
 // ---- Claims that vary where they may.
 
 // The order in which parts, ends and corners are told.
-template <typename Part>
-void turn(std::vector<Part>& parts) {
+template <typename Parts>
+void turn(Parts& parts) {
   if (parts.empty()) return;
   std::rotate(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(below(parts.size())), parts.end());
   if (*rc::gen::arbitrary<bool>()) std::ranges::reverse(parts);
@@ -126,12 +128,12 @@ void turn(std::vector<Part>& parts) {
 
 // Calls change(corner) for all corners and ends of a set.
 template <typename Change>
-void for_each_corner(ClaimedUnstableSurface& set, const Change& change) {
+void for_each_corner(Surface& set, const Change& change) {
   for (auto* intervals : {&set.traces, &set.runs}) {
-    for (ClaimedUnstableInterval& interval : *intervals) change(interval.from), change(interval.to);
+    for (EdgePart<ClaimedPosition>& interval : *intervals) change(interval.front), change(interval.back);
   }
-  for (ClaimedUnstableSheet& sheet : set.sheets) std::ranges::for_each(sheet.corners, change);
-  for (ClaimedUnstableSegment& segment : set.segments) change(segment.end);
+  for (Region<ClaimedPosition>& sheet : set.sheets) std::ranges::for_each(sheet.corners, change);
+  for (Crossing<ClaimedPosition>& segment : set.segments) change(segment.front);
 }
 
 Claim in_other_order(Claim claim) {
@@ -140,15 +142,15 @@ Claim in_other_order(Claim claim) {
     turn(point.u1->vertices);
     for (auto* intervals : {&point.u1->traces, &point.u1->runs}) {
       turn(*intervals);
-      for (ClaimedUnstableInterval& interval : *intervals) {
-        if (*rc::gen::arbitrary<bool>()) std::swap(interval.from, interval.to);
+      for (EdgePart<ClaimedPosition>& interval : *intervals) {
+        if (*rc::gen::arbitrary<bool>()) std::swap(interval.front, interval.back);
         std::ranges::reverse(interval.polygon);
       }
     }
     turn(point.u1->sheets);
-    for (ClaimedUnstableSheet& sheet : point.u1->sheets) turn(sheet.corners), turn(sheet.samples);
+    for (Region<ClaimedPosition>& sheet : point.u1->sheets) turn(sheet.corners), turn(sheet.samples);
     turn(point.u1->segments);
-    for_each_corner(*point.u1, [](ClaimedCorner& corner) {
+    for_each_corner(*point.u1, [](Corner<ClaimedPosition>& corner) {
       for (ClaimedNumber& x : corner.position) x.value *= corner.at_infinity ? 3 : 1;
     });
   }
@@ -165,8 +167,8 @@ Claim in_decimals(Claim claim) {
   for (ClaimedPoint& point : claim.points) {
     if (!point.u1) continue;
     std::ranges::for_each(point.u1->vertices, round);
-    for (ClaimedUnstableSegment& segment : point.u1->segments) round(segment.start);
-    for_each_corner(*point.u1, [](ClaimedCorner& corner) { round(corner.position); });
+    for (Crossing<ClaimedPosition>& segment : point.u1->segments) round(segment.back.position);
+    for_each_corner(*point.u1, [](Corner<ClaimedPosition>& corner) { round(corner.position); });
   }
   return claim;
 }
@@ -193,7 +195,7 @@ struct Mutant {
   std::size_t line;
 };
 // Changes the set, or returns false.
-using Change = std::function<bool(ClaimedUnstableSurface&)>;
+using Change = std::function<bool(Surface&)>;
 
 bool has_set(const ClaimedPoint& point) { return point.u1.has_value(); }
 
@@ -227,7 +229,7 @@ bool move(ClaimedPosition& position) {
   return true;
 }
 
-bool move(ClaimedCorner& corner) {
+bool move(Corner<ClaimedPosition>& corner) {
   if (!corner.at_infinity) return move(corner.position);
   for (ClaimedNumber& x : corner.position) x.value = -x.value;
   return true;
@@ -235,86 +237,84 @@ bool move(ClaimedCorner& corner) {
 
 // These are for the parts of one sort.
 template <auto kParts>
-bool fewer(ClaimedUnstableSurface& set) {
+bool fewer(Surface& set) {
   auto& parts = set.*kParts;
   if (parts.empty()) return false;
   parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(below(parts.size())));
   return true;
 }
 template <auto kParts>
-bool one_twice(ClaimedUnstableSurface& set) {
+bool one_twice(Surface& set) {
   auto& parts = set.*kParts;
   if (parts.empty()) return false;
   parts.push_back(some_of(parts));
   return true;
 }
 template <auto kIntervals>
-bool moved_end(ClaimedUnstableSurface& set) {
+bool moved_end(Surface& set) {
   auto& intervals = set.*kIntervals;
   if (intervals.empty()) return false;
-  ClaimedUnstableInterval& one = some_of(intervals);
-  return move(*rc::gen::arbitrary<bool>() ? one.from : one.to);
+  EdgePart<ClaimedPosition>& one = some_of(intervals);
+  return move(*rc::gen::arbitrary<bool>() ? one.front : one.back);
 }
 template <auto kFrom, auto kTo>
-bool of_another_sort(ClaimedUnstableSurface& set) {
+bool of_another_sort(Surface& set) {
   if ((set.*kFrom).empty()) return false;
   (set.*kTo).push_back(some_of(set.*kFrom));
   return fewer<kFrom>(set);
 }
 
-bool moved_vertex(ClaimedUnstableSurface& set) { return !set.vertices.empty() && move(some_of(set.vertices)); }
+bool moved_vertex(Surface& set) { return !set.vertices.empty() && move(some_of(set.vertices)); }
 
-bool swapped_polygons(ClaimedUnstableSurface& set) {
+bool swapped_polygons(Surface& set) {
   if (set.traces.empty()) return false;
-  ClaimedUnstableInterval &a = some_of(set.traces), &b = some_of(set.traces);
-  if (a.polygon == b.polygon || (are_equal(a.from, b.from) && are_equal(a.to, b.to))) return false;
+  EdgePart<ClaimedPosition>&a = some_of(set.traces), &b = some_of(set.traces);
+  if (a.polygon == b.polygon || (are_equal(a.front, b.front) && are_equal(a.back, b.back))) return false;
   std::swap(a.polygon, b.polygon);
   return true;
 }
 
-bool moved_corner(ClaimedUnstableSurface& set) {
-  ClaimedUnstableSheet& sheet = some_of(set.sheets);
+bool moved_corner(Surface& set) {
+  Region<ClaimedPosition>& sheet = some_of(set.sheets);
   return !sheet.corners.empty() && move(some_of(sheet.corners));
 }
-bool fewer_corners(ClaimedUnstableSurface& set) {
-  ClaimedUnstableSheet& sheet = some_of(set.sheets);
+bool fewer_corners(Surface& set) {
+  Region<ClaimedPosition>& sheet = some_of(set.sheets);
   if (sheet.corners.empty()) return false;
   sheet.corners.pop_back();
   return true;
 }
 // Of three corners each order is the same ring.
-bool swapped_corners(ClaimedUnstableSurface& set) {
-  ClaimedUnstableSheet& sheet = some_of(set.sheets);
+bool swapped_corners(Surface& set) {
+  Region<ClaimedPosition>& sheet = some_of(set.sheets);
   if (sheet.corners.size() < 4) return false;
   const std::size_t at = below(sheet.corners.size() - 1);
   std::swap(sheet.corners[at], sheet.corners[at + 1]);
   return true;
 }
-bool swapped_samples(ClaimedUnstableSurface& set) {
-  ClaimedUnstableSheet &a = some_of(set.sheets), &b = some_of(set.sheets);
+bool swapped_samples(Surface& set) {
+  Region<ClaimedPosition>&a = some_of(set.sheets), &b = some_of(set.sheets);
   if (a.samples == b.samples || are_equal(a.corners, b.corners)) return false;
   std::swap(a.samples, b.samples);
   return true;
 }
 
-bool moved_start(ClaimedUnstableSurface& set) { return !set.segments.empty() && move(some_of(set.segments).start); }
-bool moved_end_of_segment(ClaimedUnstableSurface& set) {
-  return !set.segments.empty() && move(some_of(set.segments).end);
-}
+bool moved_start(Surface& set) { return !set.segments.empty() && move(some_of(set.segments).back.position); }
+bool moved_end_of_segment(Surface& set) { return !set.segments.empty() && move(some_of(set.segments).front); }
 
 // A position with the coordinates of a vector, or the other way around.
-bool not_at_infinity(ClaimedUnstableSurface& set) {
+bool not_at_infinity(Surface& set) {
   bool is_done = false;
-  for_each_corner(set, [&](ClaimedCorner& corner) {
+  for_each_corner(set, [&](Corner<ClaimedPosition>& corner) {
     if (is_done || !corner.at_infinity) return;
     corner.at_infinity = false;
     is_done = true;
   });
   return is_done;
 }
-bool at_infinity(ClaimedUnstableSurface& set) {
+bool at_infinity(Surface& set) {
   bool is_done = false;
-  for_each_corner(set, [&](ClaimedCorner& corner) {
+  for_each_corner(set, [&](Corner<ClaimedPosition>& corner) {
     if (is_done || corner.at_infinity || values_of(corner.position) == RationalPoint{}) return;
     corner.at_infinity = is_done = true;
   });
@@ -322,31 +322,31 @@ bool at_infinity(ClaimedUnstableSurface& set) {
 }
 
 const std::map<std::string, Change>& changes() {
-  using Set = ClaimedUnstableSurface;
-  static const std::map<std::string, Change> all = {{"fewer vertices", fewer<&Set::vertices>},
-                                                    {"fewer traces", fewer<&Set::traces>},
-                                                    {"fewer runs", fewer<&Set::runs>},
-                                                    {"fewer sheets", fewer<&Set::sheets>},
-                                                    {"fewer segments", fewer<&Set::segments>},
-                                                    {"vertex twice", one_twice<&Set::vertices>},
-                                                    {"trace twice", one_twice<&Set::traces>},
-                                                    {"run twice", one_twice<&Set::runs>},
-                                                    {"sheet twice", one_twice<&Set::sheets>},
-                                                    {"segment twice", one_twice<&Set::segments>},
-                                                    {"moved vertex", moved_vertex},
-                                                    {"moved end of a trace", moved_end<&Set::traces>},
-                                                    {"moved end of a run", moved_end<&Set::runs>},
-                                                    {"trace as a run", of_another_sort<&Set::traces, &Set::runs>},
-                                                    {"run as a trace", of_another_sort<&Set::runs, &Set::traces>},
-                                                    {"swapped polygons", swapped_polygons},
-                                                    {"moved corner", moved_corner},
-                                                    {"fewer corners", fewer_corners},
-                                                    {"swapped corners", swapped_corners},
-                                                    {"swapped samples", swapped_samples},
-                                                    {"moved start", moved_start},
-                                                    {"moved end of a segment", moved_end_of_segment},
-                                                    {"not at infinity", not_at_infinity},
-                                                    {"at infinity", at_infinity}};
+  static const std::map<std::string, Change> all = {
+      {"fewer vertices", fewer<&Surface::vertices>},
+      {"fewer traces", fewer<&Surface::traces>},
+      {"fewer runs", fewer<&Surface::runs>},
+      {"fewer sheets", fewer<&Surface::sheets>},
+      {"fewer segments", fewer<&Surface::segments>},
+      {"vertex twice", one_twice<&Surface::vertices>},
+      {"trace twice", one_twice<&Surface::traces>},
+      {"run twice", one_twice<&Surface::runs>},
+      {"sheet twice", one_twice<&Surface::sheets>},
+      {"segment twice", one_twice<&Surface::segments>},
+      {"moved vertex", moved_vertex},
+      {"moved end of a trace", moved_end<&Surface::traces>},
+      {"moved end of a run", moved_end<&Surface::runs>},
+      {"trace as a run", of_another_sort<&Surface::traces, &Surface::runs>},
+      {"run as a trace", of_another_sort<&Surface::runs, &Surface::traces>},
+      {"swapped polygons", swapped_polygons},
+      {"moved corner", moved_corner},
+      {"fewer corners", fewer_corners},
+      {"swapped corners", swapped_corners},
+      {"swapped samples", swapped_samples},
+      {"moved start", moved_start},
+      {"moved end of a segment", moved_end_of_segment},
+      {"not at infinity", not_at_infinity},
+      {"at infinity", at_infinity}};
   return all;
 }
 

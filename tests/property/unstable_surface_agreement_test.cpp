@@ -43,55 +43,6 @@ struct Totals {
   }
 };
 
-oracle::Corner oracle_corner(const SurfaceCorner& corner) { return {corner.position, corner.at_infinity}; }
-
-std::vector<oracle::EdgePart> edge_parts_of(const std::vector<UnstableInterval>& intervals) {
-  std::vector<oracle::EdgePart> parts;
-  parts.reserve(intervals.size());
-  for (const UnstableInterval& i : intervals)
-    parts.push_back({ids(i.polygon), oracle_corner(i.from), oracle_corner(i.to)});
-  return parts;
-}
-
-// The fast implementation's set in the oracle's form, in its own order.
-oracle::UnstableSurface oracle_form(const UnstableSurface& fast) {
-  oracle::UnstableSurface set{fast.vertices, edge_parts_of(fast.traces), edge_parts_of(fast.runs), {}, {}};
-  for (const UnstableSheet& sheet : fast.sheets) {
-    set.sheets.push_back({{sheet.samples[0], sheet.samples[1]}, {}});
-    for (const SurfaceCorner& corner : sheet.corners) set.sheets.back().corners.push_back(oracle_corner(corner));
-  }
-  for (const UnstableSegment& segment : fast.segments) {
-    set.segments.push_back({{segment.samples[0], segment.samples[1]}, oracle_corner(segment.end), segment.start});
-  }
-  return set;
-}
-
-std::string in_words(const oracle::Corner& corner) {
-  return (corner.at_infinity ? "to " : "") + ("(" + text_of(RationalPoint(corner.position)) + ")");
-}
-
-std::string in_words(const oracle::UnstableSurface& set) {
-  std::string text;
-  for (const auto& x : set.vertices) text += "vertex (" + text_of(RationalPoint(x)) + ")\n";
-  const auto add = [&](const std::string& name, const std::vector<oracle::EdgePart>& parts) {
-    for (const auto& part : parts) {
-      text += name + " " + text_of(Ids(part.polygon)) + " " + in_words(part.front) + " " + in_words(part.back) + "\n";
-    }
-  };
-  add("trace", set.traces);
-  add("run", set.runs);
-  for (const auto& sheet : set.sheets) {
-    text += "sheet " + text_of(Ids(sheet.samples.begin(), sheet.samples.end()));
-    for (const auto& corner : sheet.corners) text += " " + in_words(corner);
-    text += "\n";
-  }
-  for (const auto& s : set.segments) {
-    text += "segment " + text_of(Ids(s.samples.begin(), s.samples.end())) + " " + in_words(s.back) + " " +
-            in_words(s.front) + "\n";
-  }
-  return text;
-}
-
 // How many sheets have a side on the trace, with rays that leave there.
 std::size_t sheets_into(const oracle::PointSet& points, const oracle::UnstableSurface& set,
                         const oracle::EdgePart& trace) {
@@ -129,10 +80,10 @@ void count(const oracle::PointSet& points, const oracle::UnstableSurface& set, b
 
 // ---- In doubles ----
 
-using RoundedPart = std::tuple<RoundedUnstableSurface::Kind, std::vector<PointId>, std::vector<SurfaceCorner>>;
+using RoundedPart = std::tuple<RoundedUnstableSurface::Kind, std::vector<PointId>, std::vector<Corner<>>>;
 
 // Nearest doubles; what would overflow stays exact.
-SurfaceCorner rounded(SurfaceCorner corner) {
+Corner<> rounded(Corner<> corner) {
   for (Rational& x : corner.position) {
     if (const auto nearest = nearest_double(x)) x = Rational(*nearest);
   }
@@ -140,7 +91,7 @@ SurfaceCorner rounded(SurfaceCorner corner) {
 }
 
 // Counterclockwise seen from the second sample, from the least corner on. Corners at infinity are vectors.
-std::vector<SurfaceCorner> turned(const PointSet& points, const UnstableSheet& sheet) {
+std::vector<Corner<>> turned(const PointSet& points, const Region<>& sheet) {
   const auto sample = [&](std::size_t k) {
     const Point& p = points[points.ordinal_of_row(sheet.samples[k])];
     return std::array<Rational, 3>{Rational(p.x), Rational(p.y), Rational(p.z)};
@@ -149,9 +100,7 @@ std::vector<SurfaceCorner> turned(const PointSet& points, const UnstableSheet& s
     return RationalPoint{u[0] - v[0], u[1] - v[1], u[2] - v[2]};
   };
   const RationalPoint way = minus(sample(1), sample(0)), origin = sheet.corners.front().position;
-  const auto from_origin = [&](const SurfaceCorner& c) {
-    return c.at_infinity ? c.position : minus(c.position, origin);
-  };
+  const auto from_origin = [&](const Corner<>& c) { return c.at_infinity ? c.position : minus(c.position, origin); };
   Rational turn = 0;
   for (std::size_t k = 1; k + 1 < sheet.corners.size(); ++k) {
     const RationalPoint u = from_origin(sheet.corners[k]), v = from_origin(sheet.corners[k + 1]);
@@ -159,23 +108,23 @@ std::vector<SurfaceCorner> turned(const PointSet& points, const UnstableSheet& s
             way[2] * (u[0] * v[1] - u[1] * v[0]);
   }
   RC_ASSERT(turn != 0);
-  std::vector<SurfaceCorner> corners = sheet.corners;
+  std::vector<Corner<>> corners = sheet.corners;
   if (turn < 0) std::reverse(corners.begin() + 1, corners.end());
   return corners;
 }
 
-std::vector<RoundedPart> parts_in_doubles(const PointSet& points, const UnstableSurface& set) {
+std::vector<RoundedPart> parts_in_doubles(const PointSet& points, const UnstableSurface<>& set) {
   using Kind = RoundedUnstableSurface::Kind;
   std::vector<RoundedPart> parts;
-  const auto add_edge = [&](Kind kind, const UnstableInterval& part) {
+  const auto add_edge = [&](Kind kind, const EdgePart<>& part) {
     const std::vector<PointId> samples(part.polygon.begin(), part.polygon.begin() + 3);
-    parts.push_back({kind, samples, {part.from, part.to}});
-    if (part.from == part.to) std::get<2>(parts.back()).pop_back();
+    parts.push_back({kind, samples, {part.front, part.back}});
+    if (part.front == part.back) std::get<2>(parts.back()).pop_back();
   };
   for (const auto& part : set.traces) add_edge(Kind::kTrace, part);
   for (const auto& part : set.runs) add_edge(Kind::kRun, part);
-  for (const auto& [samples, start, end] : set.segments) {
-    parts.push_back({Kind::kSegment, {samples[0], samples[1]}, {{start}, end}});
+  for (const auto& [samples, front, back] : set.segments) {
+    parts.push_back({Kind::kSegment, {samples[0], samples[1]}, {back, front}});
   }
   for (const auto& sheet : set.sheets) {
     parts.push_back({Kind::kSheet, {sheet.samples[0], sheet.samples[1]}, turned(points, sheet)});
@@ -185,38 +134,28 @@ std::vector<RoundedPart> parts_in_doubles(const PointSet& points, const Unstable
 
 // Corners in an order of their own: of lines both ways are one, and a sheet begins anywhere.
 void make_comparable(std::vector<RoundedPart>& parts) {
-  const auto is_less = [](const SurfaceCorner& a, const SurfaceCorner& b) {
-    return std::tie(a.at_infinity, a.position) < std::tie(b.at_infinity, b.position);
-  };
   for (auto& [kind, samples, corners] : parts) {
-    for (SurfaceCorner& corner : corners) corner = rounded(std::move(corner));
+    for (Corner<>& corner : corners) corner = rounded(std::move(corner));
     if (kind != RoundedUnstableSurface::Kind::kSheet) {
-      std::ranges::sort(corners, is_less);
+      std::sort(corners.begin(), corners.end());
       continue;
     }
-    std::vector<SurfaceCorner> least = corners;
+    std::vector<Corner<>> least = corners;
     for (std::size_t k = 1; k < corners.size(); ++k) {
       std::rotate(corners.begin(), corners.begin() + 1, corners.end());
-      if (std::ranges::lexicographical_compare(corners, least, is_less)) least = corners;
+      if (corners < least) least = corners;
     }
     corners = least;
   }
-  std::ranges::sort(parts, [&](const RoundedPart& a, const RoundedPart& b) {
-    const auto key = [](const RoundedPart& part) { return std::tie(std::get<0>(part), std::get<1>(part)); };
-    if (key(a) != key(b)) return key(a) < key(b);
-    return std::ranges::lexicographical_compare(std::get<2>(a), std::get<2>(b), is_less);
-  });
+  std::ranges::sort(parts);
 }
 
 // The set in doubles has the same parts, with corners that are one iff they are exactly equal.
-void require_same_in_doubles(const PointSet& points, const UnstableSurface& set, const RoundedUnstableSurface& fast) {
+void require_same_in_doubles(const PointSet& points, const UnstableSurface<>& set, const RoundedUnstableSurface& fast) {
   std::vector<RoundedPart> exact = parts_in_doubles(points, set), mine;
-  std::vector<SurfaceCorner> corners;
+  std::vector<Corner<>> corners;
   for (const auto& [kind, samples, places] : exact) corners.insert(corners.end(), places.begin(), places.end());
-  const auto is_less = [](const SurfaceCorner& a, const SurfaceCorner& b) {
-    return std::tie(a.at_infinity, a.position) < std::tie(b.at_infinity, b.position);
-  };
-  std::ranges::sort(corners, is_less);
+  std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   RC_ASSERT(corners.size() == fast.corners.size());
   for (const auto& [kind, samples, numbers] : fast.parts) {
@@ -241,18 +180,17 @@ void require_right_sets(const Subject& subject, Totals& totals) {
   const std::size_t step = 1 + cascade.size() / kSetsByOracle;
   for (std::size_t i = 0; i < cascade.size(); i += step) {
     const auto y = oracle_point(subject.complex.points(), stationary, cascade.record(i));
-    const UnstableSurface fast = cascade.set(i);
-    const oracle::UnstableSurface mine = oracle_form(fast), its = oracle::unstable_surface(subject.set, y);
-    require_none(subject.input, mine == its ? "" : "another unstable set of " + text_of(Ids(y.contact)),
-                 "the fast implementation's:\n" + in_words(mine) + "the oracle's:\n" + in_words(its));
-    RC_ASSERT(oracle_form(exact.set(i)) == mine);
+    const UnstableSurface<> fast = cascade.set(i), its = to_fast(oracle::unstable_surface(subject.set, y));
+    require_none(subject.input, fast == its ? "" : "another unstable set of " + text_of(Ids(y.contact)),
+                 "the fast implementation's:\n" + text_of(fast) + "the oracle's:\n" + text_of(its));
+    RC_ASSERT(exact.set(i) == fast);
     RC_ASSERT(cascade.size_of(i) == (UnstableSurfaceSize{fast.vertices.size(), fast.traces.size(), fast.runs.size(),
                                                          fast.sheets.size(), fast.segments.size()}));
     if (subject.complex.diagram().dimension() == 3) {
       require_same_in_doubles(subject.complex.points(), fast, cascade.rounded_set(i));
       ++totals.in_doubles;
     }
-    count(subject.set, mine, y.is_critical(), totals);
+    count(subject.set, to_oracle(fast), y.is_critical(), totals);
   }
 }
 

@@ -65,7 +65,8 @@ std::string account_of(const FlowComplex& complex) {
     }
   }
   for (std::size_t i = 0; i < complex.stable().size(); ++i) {
-    for (const BackwardSegment& segment : complex.stable().set(i).segments) text += text_of(segment.back) + '\n';
+    for (const BackwardSegment<>& segment : complex.stable().set(i).segments)
+      text += text_of(segment.back.position) + '\n';
   }
   for (std::size_t i = 0; i < complex.limits().size(); ++i) {
     for (const FlowLimits::Entry& entry : complex.limits().entries(i)) text += std::to_string(entry.limit) + ' ';

@@ -366,8 +366,8 @@ class Undecided final : public Truth {
     return truth_.boundary(i);
   }
   [[nodiscard]] StableSummary stable_summary(std::size_t i) override { return truth_.stable_summary(i); }
-  [[nodiscard]] StableSet stable_set(std::size_t i) override { return truth_.stable_set(i); }
-  [[nodiscard]] InfinitySet set_of_infinity() override { return truth_.set_of_infinity(); }
+  [[nodiscard]] StableSet<> stable_set(std::size_t i) override { return truth_.stable_set(i); }
+  [[nodiscard]] StableSet<> set_of_infinity() override { return truth_.set_of_infinity(); }
   [[nodiscard]] LambdaList lambda_list(std::size_t i) override { return truth_.lambda_list(i); }
   [[nodiscard]] std::vector<FlowLimits::Entry> lambda_entries(std::size_t i) override {
     return truth_.lambda_entries(i);
@@ -381,7 +381,7 @@ class Undecided final : public Truth {
     return truth_.nearest_shares(i);
   }
   [[nodiscard]] Rational hull_volume() override { return truth_.hull_volume(); }
-  [[nodiscard]] UnstableSurface unstable_surface(std::size_t i) override { return truth_.unstable_surface(i); }
+  [[nodiscard]] UnstableSurface<> unstable_surface(std::size_t i) override { return truth_.unstable_surface(i); }
   [[nodiscard]] TruePockets pockets(const Rational& persistence) override { return truth_.pockets(persistence); }
   [[nodiscard]] double area(std::size_t i) override { return truth_.area(i); }
   [[nodiscard]] double nearest_volume_of(const std::vector<std::uint32_t>& points) override {

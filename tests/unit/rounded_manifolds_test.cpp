@@ -61,7 +61,7 @@ class RoundedManifolds {
   }
 
   void check_set(std::size_t i) {
-    const StableSet set = complex_.stable().set(i);
+    const StableSet<> set = complex_.stable().set(i);
     const RoundedSegments rounded = complex_.stable().rounded_segments(i);
     ASSERT_EQ(rounded.segments.size(), set.segments.size());
     std::map<std::uint32_t, RationalPoint> position_of;
@@ -72,11 +72,11 @@ class RoundedManifolds {
       if (rounded.positions[place].end.empty()) fronts[x].insert(place);
     };
     for (std::size_t k = 0; k < set.segments.size(); ++k) {
-      const BackwardSegment& segment = set.segments[k];
+      const BackwardSegment<>& segment = set.segments[k];
       const RoundedSegments::Segment& same = rounded.segments[k];
       ASSERT_EQ(same.samples, segment.samples);
-      meet(same.front, segment.front, segment.samples[0]);
-      meet(same.back, segment.back, segment.samples[0]);
+      meet(same.front, segment.front.position, segment.samples[0]);
+      meet(same.back, segment.back.position, segment.samples[0]);
       EXPECT_TRUE(rounded.positions[same.front].end.empty());
       const bool ends = segment.back_kind == BackKind::kCritical || segment.back_kind == BackKind::kRegular;
       EXPECT_EQ(rounded.positions[same.back].end, ends ? segment.back_contact : std::vector<PointId>{});

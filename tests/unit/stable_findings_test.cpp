@@ -114,9 +114,10 @@ TEST(SkeletonFindings, OfEachPartOfASegment) {
   CITES("FC-CLAIM-10", "FC-STAB-04");
   const Truly points(kTetrahedron);
   const auto changed = [&](const auto& change) {
-    return said_of_skeleton(points, kTriangle, [&](ClaimedSkeleton& skeleton) { change(skeleton.segments[0]); });
+    return said_of_skeleton(points, kTriangle,
+                            [&](StableSet<ClaimedPosition>& skeleton) { change(skeleton.segments[0]); });
   };
-  using Segment = ClaimedBackwardSegment;
+  using Segment = BackwardSegment<ClaimedPosition>;
   const std::string start = "FC-CLAIM-10: index 2, contact set 0 1 2, a segment of ";
   const std::string end = "; no such segment is part of it (in all 1 such claims)";
   const std::string as_it_is = "0 1 from 2/3 1/3 1/3 back to 1/2 1/2 0";
@@ -124,19 +125,19 @@ TEST(SkeletonFindings, OfEachPartOfASegment) {
   EXPECT_EQ(changed([](Segment& segment) {
               segment.front_contact.reset();
               segment.back_contact.reset();
-              segment.back_kind.clear();
+              segment.back_kind.reset();
             }),
             "conforms");
   EXPECT_EQ(changed([](Segment& segment) { segment.samples = {0, 3}; }),
             wrong + "0 3 from 2/3 1/3 1/3 back to 1/2 1/2 0" + end);
   EXPECT_EQ(changed([](Segment& segment) { segment.front_contact = {{0, 1, 3}}; }), wrong + as_it_is + end);
   EXPECT_EQ(changed([](Segment& segment) { segment.back_contact = {{0, 2}}; }), wrong + as_it_is + end);
-  EXPECT_EQ(changed([](Segment& segment) { segment.back_kind = "edge"; }), wrong + as_it_is + end);
-  EXPECT_EQ(changed([](Segment& segment) { shift(segment.front); }),
+  EXPECT_EQ(changed([](Segment& segment) { segment.back_kind = BackKind::kEdge; }), wrong + as_it_is + end);
+  EXPECT_EQ(changed([](Segment& segment) { shift(segment.front.position); }),
             wrong + "0 1 from 19/24 1/3 1/3 back to 1/2 1/2 0" + end);
-  EXPECT_EQ(changed([](Segment& segment) { shift(segment.back); }),
+  EXPECT_EQ(changed([](Segment& segment) { shift(segment.back.position); }),
             wrong + "0 1 from 2/3 1/3 1/3 back to 5/8 1/2 0" + end);
-  EXPECT_EQ(changed([](Segment& segment) { nudge(segment.back); }),
+  EXPECT_EQ(changed([](Segment& segment) { nudge(segment.back.position); }),
             "fails\n5 rounding " + start + "0 1 from 2/3 1/3 1/3 back to ~0.5000000000000002 1/2 0" + end);
 }
 
@@ -145,7 +146,7 @@ TEST(SkeletonFindings, OfConnectingOrbits) {
   const Truly points(kTetrahedron), arch(kArch);
   using Chains = std::vector<std::vector<std::size_t>>;
   const auto claiming = [](const Truly& truly, const Ids& contact, const auto& change) {
-    return said_of_skeleton(truly, contact, [&](ClaimedSkeleton& skeleton) { change(*skeleton.orbits); });
+    return said_of(truly, contact, [&](ClaimedPoint& point) { change(*point.orbits); });
   };
   const std::string start = "fails\n5 wrong-surface FC-CLAIM-10: index 2, contact set 0 1 2, ";
   EXPECT_EQ(claiming(points, kTriangle, [](Chains& chains) { std::swap(chains[0], chains[2]); }), "conforms");
@@ -163,19 +164,19 @@ TEST(SkeletonFindings, OfConnectingOrbits) {
             std::string::npos);
   // An orbit through a segment that is left out is left out, too.
   const std::string less = said_of(arch, kSaddleOfArch, [&](ClaimedPoint& point) {
-    ClaimedSkeleton& skeleton = *point.skeleton;
+    StableSet<ClaimedPosition>& skeleton = *point.skeleton;
     const std::size_t none = skeleton.segments.size();
     std::vector<std::size_t> place;  // after the segments from a Voronoi vertex are gone
-    std::vector<ClaimedBackwardSegment> kept;
-    for (const ClaimedBackwardSegment& segment : skeleton.segments) {
+    std::vector<BackwardSegment<ClaimedPosition>> kept;
+    for (const BackwardSegment<ClaimedPosition>& segment : skeleton.segments) {
       const bool is_kept = segment.front_contact->size() != 4;
       place.push_back(is_kept ? kept.size() : none);
       if (is_kept) kept.push_back(segment);
     }
-    std::erase_if(*skeleton.orbits, [&](const auto& chain) {
+    std::erase_if(*point.orbits, [&](const auto& chain) {
       return std::ranges::any_of(chain, [&](std::size_t k) { return place[k] == none; });
     });
-    for (auto& chain : *skeleton.orbits) {
+    for (auto& chain : *point.orbits) {
       for (std::size_t& k : chain) k = place[k];
     }
     skeleton.segments = kept;
@@ -189,13 +190,14 @@ TEST(SkeletonFindings, OfPiecesTooFewOrTooMany) {
   CITES("FC-CLAIM-10");
   const Truly points(kTetrahedron);
   const std::string start = "fails\n5 wrong-surface FC-CLAIM-10: index 2, contact set 0 1 2, ";
-  EXPECT_EQ(
-      said_of_skeleton(points, kTriangle, [](ClaimedSkeleton& skeleton) { std::ranges::reverse(skeleton.segments); }),
-      "conforms");
-  EXPECT_EQ(said_of_skeleton(points, kTriangle, [](ClaimedSkeleton& skeleton) { skeleton.segments.resize(1); }),
-            start + "too few; 2 segments are missing");
   EXPECT_EQ(said_of_skeleton(points, kTriangle,
-                             [](ClaimedSkeleton& skeleton) {
+                             [](StableSet<ClaimedPosition>& skeleton) { std::ranges::reverse(skeleton.segments); }),
+            "conforms");
+  EXPECT_EQ(
+      said_of_skeleton(points, kTriangle, [](StableSet<ClaimedPosition>& skeleton) { skeleton.segments.resize(1); }),
+      start + "too few; 2 segments are missing");
+  EXPECT_EQ(said_of_skeleton(points, kTriangle,
+                             [](StableSet<ClaimedPosition>& skeleton) {
                                skeleton.segments.push_back(skeleton.segments[1]);
                                skeleton.segments.push_back(skeleton.segments[2]);
                              }),
@@ -213,18 +215,20 @@ TEST(SkeletonFindings, BeyondAVoronoiVertex) {
            "s beyond a Voronoi vertex are left out";
   };
   EXPECT_EQ(said_of_skeleton(arch, kSaddleOfArch,
-                             [](ClaimedSkeleton& skeleton) {
+                             [](StableSet<ClaimedPosition>& skeleton) {
                                std::erase_if(skeleton.segments,
                                              [](const auto& segment) { return segment.front_contact->size() == 4; });
                              }),
             left_out("5 segment"));
-  EXPECT_EQ(said_of_skeleton(arch, kSaddleOfArch, [](ClaimedSkeleton& skeleton) { skeleton.intervals.clear(); }),
-            left_out("2 interval"));
-  EXPECT_EQ(said_of_skeleton(arch, kSaddleOfArch, [](ClaimedSkeleton& skeleton) { skeleton.sectors.resize(5); }),
-            left_out("1 sector"));
+  EXPECT_EQ(
+      said_of_skeleton(arch, kSaddleOfArch, [](StableSet<ClaimedPosition>& skeleton) { skeleton.intervals.clear(); }),
+      left_out("2 interval"));
+  EXPECT_EQ(
+      said_of_skeleton(arch, kSaddleOfArch, [](StableSet<ClaimedPosition>& skeleton) { skeleton.sectors.resize(5); }),
+      left_out("1 sector"));
   // The point's own segments are not beyond the vertex.
   EXPECT_EQ(said_of_skeleton(arch, kSaddleOfArch,
-                             [](ClaimedSkeleton& skeleton) {
+                             [](StableSet<ClaimedPosition>& skeleton) {
                                std::erase_if(skeleton.segments,
                                              [](const auto& segment) { return segment.front_contact->size() == 3; });
                              }),
@@ -236,26 +240,29 @@ TEST(SkeletonFindings, OfIntervalsAndSectors) {
   const Truly arch(kArch);
   const std::string start = "fails\n5 wrong-surface FC-CLAIM-10: index 2, contact set 0 3 4, ";
   const auto interval = [&](const auto& change) {
-    return said_of_skeleton(arch, kSaddleOfArch, [&](ClaimedSkeleton& skeleton) { change(skeleton.intervals[0]); });
+    return said_of_skeleton(arch, kSaddleOfArch,
+                            [&](StableSet<ClaimedPosition>& skeleton) { change(skeleton.intervals[0]); });
   };
   const std::string no_interval = "; no such interval is part of it (in all 1 such claims)";
-  EXPECT_EQ(interval([](ClaimedInterval& one) { one.back_is_stationary.reset(); }), "conforms");
-  EXPECT_EQ(interval([](ClaimedInterval& one) { one.back_is_stationary = false; }),
+  EXPECT_EQ(interval([](BackwardInterval<ClaimedPosition>& one) { one.back_is_stationary.reset(); }), "conforms");
+  EXPECT_EQ(interval([](BackwardInterval<ClaimedPosition>& one) { one.back_is_stationary = false; }),
             start + "an interval of 0 1 2" + no_interval);
-  EXPECT_EQ(interval([](ClaimedInterval& one) { one.polygon = {0, 1, 4}; }),
+  EXPECT_EQ(interval([](BackwardInterval<ClaimedPosition>& one) { one.polygon = {0, 1, 4}; }),
             start + "an interval of 0 1 4" + no_interval);
-  EXPECT_EQ(interval([](ClaimedInterval& one) { shift(one.front); }), start + "an interval of 0 1 2" + no_interval);
-  EXPECT_EQ(interval([](ClaimedInterval& one) { nudge(one.back); }),
+  EXPECT_EQ(interval([](BackwardInterval<ClaimedPosition>& one) { shift(one.front.position); }),
+            start + "an interval of 0 1 2" + no_interval);
+  EXPECT_EQ(interval([](BackwardInterval<ClaimedPosition>& one) { nudge(one.back.position); }),
             "fails\n5 rounding FC-CLAIM-10: index 2, contact set 0 3 4, an interval of 0 1 2" + no_interval);
   const auto sector = [&](const auto& change) {
-    return said_of_skeleton(arch, kSaddleOfArch, [&](ClaimedSkeleton& skeleton) { change(skeleton.sectors[0]); });
+    return said_of_skeleton(arch, kSaddleOfArch,
+                            [&](StableSet<ClaimedPosition>& skeleton) { change(skeleton.sectors[0]); });
   };
   const std::string no_sector = "a sector of 0 1; no such sector is part of it (in all 1 such claims)";
-  EXPECT_EQ(sector([](ClaimedSector& one) { std::ranges::reverse(one.corners); }), "conforms");
-  EXPECT_EQ(sector([](ClaimedSector& one) { one.corners.pop_back(); }), start + no_sector);
-  EXPECT_EQ(sector([](ClaimedSector& one) { one.corners.clear(); }), start + no_sector);
-  EXPECT_EQ(sector([](ClaimedSector& one) { shift(one.corners[1]); }), start + no_sector);
-  EXPECT_EQ(sector([](ClaimedSector& one) { one.samples = {1, 3}; }),
+  EXPECT_EQ(sector([](Region<ClaimedPosition>& one) { std::ranges::reverse(one.corners); }), "conforms");
+  EXPECT_EQ(sector([](Region<ClaimedPosition>& one) { one.corners.pop_back(); }), start + no_sector);
+  EXPECT_EQ(sector([](Region<ClaimedPosition>& one) { one.corners.clear(); }), start + no_sector);
+  EXPECT_EQ(sector([](Region<ClaimedPosition>& one) { shift(one.corners[1].position); }), start + no_sector);
+  EXPECT_EQ(sector([](Region<ClaimedPosition>& one) { one.samples = {1, 3}; }),
             start + "a sector of 1 3; no such sector is part of it (in all 1 such claims)");
 }
 
@@ -266,9 +273,10 @@ TEST(SkeletonFindings, BeyondARegularPoint) {
   const Truly points(kRegularBack), none(kTetrahedron);
   const Ids saddle = {0, 1, 3};
   const auto added = [](const Truly& truly, const Ids& contact, const RationalPoint& front, std::size_t kept) {
-    return said_of_skeleton(truly, contact, [&](ClaimedSkeleton& skeleton) {
+    return said_of_skeleton(truly, contact, [&](StableSet<ClaimedPosition>& skeleton) {
       skeleton.segments.resize(kept);
-      skeleton.segments.push_back({{0, 2}, exactly(front), exactly(RationalPoint{2, 1, Rational(1, 2)}), {}, {}, ""});
+      skeleton.segments.push_back(
+          {{{0, 2}, {exactly(front)}, {exactly(RationalPoint{2, 1, Rational(1, 2)})}}, {}, {}, {}});
     });
   };
   const RationalPoint near = {Rational(3, 2), 1, Rational(1, 2)}, far = {0, 1, Rational(1, 2)};
@@ -281,8 +289,9 @@ TEST(SkeletonFindings, BeyondARegularPoint) {
   EXPECT_EQ(added(none, kTriangle, near, 3),
             "fails\n5 wrong-surface FC-CLAIM-10: index 2, contact set 0 1 2, a segment of 0 2 from 3/2" + end);
   // The segment goes up if it is the other way round.
-  const std::string up = said_of_skeleton(points, saddle, [&](ClaimedSkeleton& skeleton) {
-    skeleton.segments.push_back({{0, 2}, exactly(RationalPoint{2, 1, Rational(1, 2)}), exactly(near), {}, {}, ""});
+  const std::string up = said_of_skeleton(points, saddle, [&](StableSet<ClaimedPosition>& skeleton) {
+    skeleton.segments.push_back(
+        {{{0, 2}, {exactly(RationalPoint{2, 1, Rational(1, 2)})}, {exactly(near)}}, {}, {}, {}});
   });
   EXPECT_TRUE(up.starts_with("fails\n5 wrong-surface ")) << up;
 }
@@ -299,14 +308,18 @@ TEST(SkeletonFindings, OfOrbitsAlongSegmentsInAnyOrder) {
   std::mt19937 random(1);
   for (int round = 0; round < 50; ++round) {
     Claimed claimed = truth;
-    ClaimedSkeleton& skeleton = *claimed.of(kSaddleOfArch).skeleton;
+    StableSet<ClaimedPosition>& skeleton = *claimed.of(kSaddleOfArch).skeleton;
     std::ranges::shuffle(place, random);
     for (std::size_t k = 0; k < count; ++k) {
-      ClaimedBackwardSegment segment = truth.of(kSaddleOfArch).skeleton->segments[k];
-      segment = {segment.samples, decimals(values(segment.front)), decimals(values(segment.back)), {}, {}, ""};
+      BackwardSegment<ClaimedPosition> segment = truth.of(kSaddleOfArch).skeleton->segments[k];
+      segment = {
+          {segment.samples, {decimals(values(segment.front.position))}, {decimals(values(segment.back.position))}},
+          {},
+          {},
+          {}};
       skeleton.segments[place[k]] = segment;
     }
-    for (auto& chain : *skeleton.orbits) {
+    for (auto& chain : *claimed.of(kSaddleOfArch).orbits) {
       for (std::size_t& k : chain) k = place[k];
     }
     ASSERT_EQ(text(arch.check(claimed)), "conforms");

@@ -19,10 +19,10 @@ namespace {
 
 RationalPoint at(int x) { return {Rational(x), Rational(0), Rational(0)}; }
 
-BackwardSegment segment(int front, int back, BackKind kind) {
-  BackwardSegment made;
-  made.front = at(front);
-  made.back = at(back);
+BackwardSegment<> segment(int front, int back, BackKind kind) {
+  BackwardSegment<> made;
+  made.front = {at(front)};
+  made.back = {at(back)};
   made.back_kind = kind;
   return made;
 }
@@ -31,7 +31,7 @@ using Orbits = std::vector<std::vector<std::size_t>>;
 
 TEST(ConnectingOrbits, GoFromTheStationaryPointDown) {
   CITES("FC-STAB-06");
-  StableSet set;
+  StableSet<> set;
   set.segments = {segment(2, 3, BackKind::kCritical), segment(0, 1, BackKind::kEdge), segment(1, 2, BackKind::kEdge),
                   segment(0, 4, BackKind::kCritical), segment(1, 5, BackKind::kRegular)};
   EXPECT_EQ(connecting_orbits(set, at(0)), (Orbits{{1, 2, 0}, {3}}));
@@ -40,15 +40,15 @@ TEST(ConnectingOrbits, GoFromTheStationaryPointDown) {
 // A front at which no segment has its back is reached through an interval.
 TEST(ConnectingOrbits, ThoseThroughIntervalsAreLeftOut) {
   CITES("FC-STAB-06");
-  StableSet set;
+  StableSet<> set;
   set.segments = {segment(0, 1, BackKind::kEdge), segment(1, 2, BackKind::kCritical), segment(7, 8, BackKind::kEdge),
                   segment(8, 9, BackKind::kCritical), segment(7, 6, BackKind::kCritical)};
   EXPECT_EQ(connecting_orbits(set, at(0)), (Orbits{{0, 1}}));
 }
 
-BackwardSegment leading(const std::vector<PointId>& front, int front_at, PointId a, PointId b,
-                        BackKind kind = BackKind::kCritical, int back_at = 9) {
-  BackwardSegment made = segment(front_at, back_at, kind);
+BackwardSegment<> leading(const std::vector<PointId>& front, int front_at, PointId a, PointId b,
+                          BackKind kind = BackKind::kCritical, int back_at = 9) {
+  BackwardSegment<> made = segment(front_at, back_at, kind);
   made.samples = {std::min(a, b), std::max(a, b)};
   made.front_contact = front;
   return made;
@@ -58,11 +58,11 @@ using Walk = std::vector<PointId>;
 
 TEST(BoundaryWalk, StartsAtTheLeastSampleTowardsTheLesserNeighbour) {
   CITES("FC-STAB-07", "FC-STAB-10");
-  StableSet triangle;
+  StableSet<> triangle;
   const Walk of_three{0, 1, 2};
   triangle.segments = {leading(of_three, 0, 0, 2), leading(of_three, 0, 0, 1), leading(of_three, 0, 1, 2)};
   EXPECT_EQ(boundary_walk(triangle, {2, 2}, of_three), of_three);
-  StableSet square;
+  StableSet<> square;
   const Walk of_four{0, 1, 2, 3};
   square.segments = {leading(of_four, 0, 0, 3), leading(of_four, 0, 0, 2), leading(of_four, 0, 1, 2),
                      leading(of_four, 0, 1, 3)};
@@ -72,7 +72,7 @@ TEST(BoundaryWalk, StartsAtTheLeastSampleTowardsTheLesserNeighbour) {
 // Where a branch crosses a Voronoi edge, the walk goes around the other sides of the edge's polygon.
 TEST(BoundaryWalk, GoesAroundWhatABranchCrosses) {
   CITES("FC-STAB-07");
-  StableSet set;
+  StableSet<> set;
   const Walk contact{0, 1, 2}, beyond{1, 2, 5, 7};
   set.segments = {leading(contact, 0, 0, 1), leading(contact, 0, 0, 2), leading(contact, 0, 1, 2, BackKind::kEdge, 1),
                   leading(beyond, 1, 1, 7),  leading(beyond, 1, 5, 7),  leading(beyond, 1, 2, 5)};
@@ -83,7 +83,7 @@ TEST(BoundaryWalk, GoesAroundWhatABranchCrosses) {
 TEST(BoundaryWalk, OfARegularPoint) {
   CITES("FC-STAB-07");
   const Walk contact{0, 1, 2};
-  StableSet set;
+  StableSet<> set;
   set.segments = {leading(contact, 0, 0, 2), leading(contact, 0, 1, 2)};
   EXPECT_EQ(boundary_walk(set, {1, 2}, contact), (Walk{0, 1, 2}));
   set.segments = {leading(contact, 0, 0, 1), leading(contact, 0, 1, 2)};
@@ -95,7 +95,7 @@ TEST(BoundaryWalk, OfARegularPoint) {
 TEST(BoundaryWalk, OfWhatHasNone) {
   CITES("FC-STAB-07");
   const Walk contact{0, 1, 2};
-  StableSet set;
+  StableSet<> set;
   set.segments = {leading(contact, 0, 0, 1), leading(contact, 0, 0, 2), leading(contact, 0, 1, 2, BackKind::kVertex)};
   EXPECT_EQ(boundary_walk(set, {2, 2}, contact), std::nullopt);
   EXPECT_EQ(boundary_walk(set, {2, 3}, contact), std::nullopt);

@@ -20,7 +20,8 @@ Claimed all_sets_of(const Truly& points) {
 }
 
 // What is said of a claim of which one set is changed.
-std::string said(const Truly& points, const Ids& contact, const std::function<void(ClaimedUnstableSurface&)>& change,
+std::string said(const Truly& points, const Ids& contact,
+                 const std::function<void(UnstableSurface<ClaimedPosition>&)>& change,
                  const CheckOptions& options = {}) {
   Claimed claimed = all_sets_of(points);
   change(*claimed.of(contact).u1);
@@ -46,7 +47,7 @@ TEST(UnstableSetFindings, AllThatIsTrueConforms) {
 TEST(UnstableSetFindings, PartsThatAreNotThere) {
   CITES("FC-CLAIM-17");
   const Truly points(kCube);
-  const auto changed = [&](const std::function<void(ClaimedUnstableSurface&)>& change) {
+  const auto changed = [&](const std::function<void(UnstableSurface<ClaimedPosition>&)>& change) {
     return said(points, {0, 1}, change);
   };
   const std::string start = "fails\n5 wrong-unstable-set FC-UNST-04: index 1, contact set 0 1, ";
@@ -55,7 +56,7 @@ TEST(UnstableSetFindings, PartsThatAreNotThere) {
             start + "the Voronoi vertex 1 0 0" + truth + "Voronoi vertices)");
   EXPECT_EQ(changed([](auto& set) { set.vertices.push_back(set.vertices[0]); }),
             start + "the Voronoi vertex 1/2 1/2 1/2" + truth + "Voronoi vertices)");
-  EXPECT_EQ(changed([](auto& set) { set.traces[0].from.position[2] = number(0); }),
+  EXPECT_EQ(changed([](auto& set) { set.traces[0].front.position[2] = number(0); }),
             start + "a trace of 0 1 2 3 from 1/2 1/2 0 to infinity along 0 0 -1" + truth + "traces)");
   EXPECT_EQ(changed([](auto& set) { set.runs.push_back(set.traces[0]); }),
             start + "a run of 0 1 2 3 from 1/2 1/2 1/2 to infinity along 0 0 -1" + truth + "runs)");
@@ -95,7 +96,7 @@ TEST(UnstableSetFindings, TheOrderIsFree) {
                    std::ranges::reverse(set.vertices);
                    std::ranges::reverse(set.traces);
                    std::ranges::reverse(set.sheets);
-                   for (auto& trace : set.traces) std::swap(trace.from, trace.to);
+                   for (auto& trace : set.traces) std::swap(trace.front, trace.back);
                    for (auto& sheet : set.sheets) std::ranges::reverse(sheet.corners);
                    for (auto& sheet : set.sheets) std::ranges::reverse(sheet.samples);
                  }),
@@ -115,7 +116,7 @@ TEST(UnstableSetFindings, Decimals) {
   EXPECT_TRUE(moved(number(half + Rational(0x1p-50)), 1).starts_with("fails\n5 rounding FC-UNST-04"));
   const auto turned = [&](double tolerance) {
     return said(points, {0, 1},
-                [](auto& set) { set.traces[0].to.position = {decimal(Rational(1) / 1000), decimal(0), decimal(-7)}; },
+                [](auto& set) { set.traces[0].back.position = {decimal(Rational(1) / 1000), decimal(0), decimal(-7)}; },
                 {.tolerance = tolerance});
   };
   EXPECT_EQ(turned(0.001), "conforms");
@@ -178,7 +179,7 @@ TEST(UnstableSetFindings, IdsAndVectorsThatCannotBe) {
   CITES("FC-CLAIM-01");
   const Truly points(kCube);
   const std::string start = "fails\n1 malformed FC-CLAIM-01: index 1, contact set 0 1; of an unstable set: ";
-  const auto first_lines = [&](const std::function<void(ClaimedUnstableSurface&)>& change) {
+  const auto first_lines = [&](const std::function<void(UnstableSurface<ClaimedPosition>&)>& change) {
     const std::string all = said(points, {0, 1}, change);
     return all.substr(0, all.find('\n', 6));
   };
@@ -186,7 +187,7 @@ TEST(UnstableSetFindings, IdsAndVectorsThatCannotBe) {
             start + "there is no point 8; the ids are 0 to 7");
   EXPECT_EQ(first_lines([](auto& set) { set.sheets[0].samples = {1, 1}; }), start + "point 1 is named twice");
   EXPECT_EQ(first_lines([](auto& set) { set.traces[0].polygon = {}; }), start + "a contact set without points");
-  EXPECT_EQ(first_lines([](auto& set) { set.traces[0].to.position = exactly({0, 0, 0}); }),
+  EXPECT_EQ(first_lines([](auto& set) { set.traces[0].back.position = exactly({0, 0, 0}); }),
             start + "a vector that is zero");
 }
 

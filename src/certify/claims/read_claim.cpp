@@ -1,6 +1,7 @@
 // From a name to its bytes, through gzip, to the first format that recognises them.
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "certify/claims/claim_formats.h"
 #include "certify/layer.h"
@@ -17,7 +18,7 @@ namespace {
 // The order in which formats are tried. The last one takes every file that the others do not recognise.
 constexpr std::array kFormats = {&kPocketClaims, &kExchangeClaims, &kVtpClaims, &kGiesenKuehneClaims, &kCsvClaims};
 
-void require_ids(const std::vector<PointId>& ids, const PointSet& points, const LinePlace& place) {
+void require_ids(std::span<const PointId> ids, const PointSet& points, const LinePlace& place) {
   for (const PointId id : ids) {
     if (id < points.row_count()) continue;
     const std::string truth =
@@ -26,14 +27,27 @@ void require_ids(const std::vector<PointId>& ids, const PointSet& points, const 
   }
 }
 
-void require_rows_of_skeleton(const ClaimedSkeleton& skeleton, const PointSet& points, const LinePlace& place) {
-  for (const ClaimedBackwardSegment& segment : skeleton.segments) {
+// Of a segment, an interval, a sector or a sheet.
+template <class Piece>
+void require_rows_of_pieces(const std::vector<Piece>& pieces, const PointSet& points, const LinePlace& place) {
+  for (const Piece& piece : pieces) {
+    if constexpr (requires { piece.polygon; }) {
+      require_ids(piece.polygon, points, place);
+    } else {
+      require_ids(piece.samples, points, place);
+    }
+  }
+}
+
+void require_rows_of_skeleton(const StableSet<ClaimedPosition>& skeleton, const PointSet& points,
+                              const LinePlace& place) {
+  for (const BackwardSegment<ClaimedPosition>& segment : skeleton.segments) {
     require_ids(segment.samples, points, place);
     if (segment.front_contact) require_ids(*segment.front_contact, points, place);
     if (segment.back_contact) require_ids(*segment.back_contact, points, place);
   }
-  for (const ClaimedInterval& interval : skeleton.intervals) require_ids(interval.polygon, points, place);
-  for (const ClaimedSector& sector : skeleton.sectors) require_ids(sector.samples, points, place);
+  require_rows_of_pieces(skeleton.intervals, points, place);
+  require_rows_of_pieces(skeleton.sectors, points, place);
 }
 
 void require_rows_of_stable(const ClaimedPoint& point, const PointSet& points, const LinePlace& place) {
@@ -46,16 +60,6 @@ void require_rows_of_stable(const ClaimedPoint& point, const PointSet& points, c
   if (point.skeleton) require_rows_of_skeleton(*point.skeleton, points, place);
 }
 
-void require_rows_of_infinity(const ClaimedInfinity& infinity, const PointSet& points, const LinePlace& place) {
-  require_rows_of_skeleton(infinity.bounded, points, place);
-  for (const ClaimedUnboundedSegment& segment : infinity.segments) {
-    require_ids(segment.samples, points, place);
-    if (segment.back_contact) require_ids(*segment.back_contact, points, place);
-  }
-  for (const ClaimedUnboundedInterval& interval : infinity.intervals) require_ids(interval.polygon, points, place);
-  for (const ClaimedUnboundedSector& sector : infinity.sectors) require_ids(sector.samples, points, place);
-}
-
 void require_rows_of_directions(const ClaimedPoint& point, const PointSet& points, const LinePlace& place) {
   if (point.lambda) {
     for (const ClaimedDirection& one : point.lambda->directions) require_ids(one.limit.contact, points, place);
@@ -65,17 +69,16 @@ void require_rows_of_directions(const ClaimedPoint& point, const PointSet& point
     for (const ClaimedConnection& one : *point.connections) require_ids(one.to.contact, points, place);
   }
   if (point.shares) {
-    for (const ClaimedShare& share : *point.shares) require_ids({share.sample}, points, place);
+    for (const ClaimedShare& share : *point.shares) require_ids(std::array{share.sample}, points, place);
   }
 }
 
 void require_rows_of_unstable(const ClaimedPoint& point, const PointSet& points, const LinePlace& place) {
   if (!point.u1) return;
-  for (const auto* intervals : {&point.u1->traces, &point.u1->runs}) {
-    for (const ClaimedUnstableInterval& interval : *intervals) require_ids(interval.polygon, points, place);
-  }
-  for (const ClaimedUnstableSheet& sheet : point.u1->sheets) require_ids(sheet.samples, points, place);
-  for (const ClaimedUnstableSegment& segment : point.u1->segments) require_ids(segment.samples, points, place);
+  require_rows_of_pieces(point.u1->traces, points, place);
+  require_rows_of_pieces(point.u1->runs, points, place);
+  require_rows_of_pieces(point.u1->sheets, points, place);
+  require_rows_of_pieces(point.u1->segments, points, place);
 }
 
 void require_rows_of_witnesses(const std::vector<ClaimedWitness>& witnesses, const PointSet& points,
@@ -119,7 +122,11 @@ Claim read_claim_from(std::string_view bytes, const std::string& name, bool unli
 }
 
 void require_rows(const Claim& claim, const PointSet& points, const std::string& name) {
-  if (claim.infinity) require_rows_of_infinity(*claim.infinity, points, {.file = name, .line = claim.infinity->line});
+  if (claim.infinity) {
+    for (const auto* part : {&claim.infinity->bounded, &claim.infinity->unbounded}) {
+      require_rows_of_skeleton(*part, points, {.file = name, .line = claim.infinity->line});
+    }
+  }
   if (claim.pockets) require_rows_of_pockets(*claim.pockets, points, {.file = name, .line = claim.pockets->line});
   for (const ClaimedPoint& point : claim.points) {
     const LinePlace place{.file = name, .line = point.line};

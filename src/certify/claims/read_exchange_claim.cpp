@@ -25,45 +25,68 @@ namespace {
 // The keys of a record that describe its stable set (spec/formats/stationary_points.md). A value that is not as the
 // format says throws InvalidInput with the place.
 
-std::vector<PointId> pair_of_ids(const ExchangeValue& value) {
+std::array<PointId, 2> pair_of_ids(const ExchangeValue& value) {
   value.expect_size(2);
-  return ids_of(value);
+  const std::vector<PointId> ids = ids_of(value);
+  return {ids[0], ids[1]};
 }
 
-std::vector<ClaimedPosition> corners_of(const ExchangeValue& value) {
-  auto corners = list_of(value, position_of);
-  if (corners.size() < 3) value.reject("three or more corners");
-  return corners;
+bool is_zero_vector(const ClaimedPosition& vector) {
+  return std::ranges::all_of(vector, [](const ClaimedNumber& coordinate) { return coordinate.value == 0; });
 }
 
-std::string back_kind_of(const ExchangeValue& value) {
-  constexpr std::array kKinds = {"critical", "regular", "edge", "vertex"};
-  if (std::ranges::find(kKinds, value.text()) == kKinds.end()) value.reject("a kind of back");
-  return std::string(value.text());
+Corner<ClaimedPosition> finite_corner_of(const ExchangeValue& value) { return {position_of(value)}; }
+
+Corner<ClaimedPosition> corner_at_infinity_of(const ExchangeValue& vector) {
+  Corner<ClaimedPosition> corner{position_of(vector), true};
+  if (is_zero_vector(corner.position)) vector.reject("a direction: the vector is zero");
+  return corner;
 }
 
-ClaimedBackwardSegment segment_of(const ExchangeValue& value) {
-  ClaimedBackwardSegment segment;
+// A position, or an object with a vector where it is at infinity.
+Corner<ClaimedPosition> corner_of(const ExchangeValue& value) {
+  return value.is(JsonKind::kObject) ? corner_at_infinity_of(value.get("vector")) : finite_corner_of(value);
+}
+
+// The front of a segment or an interval.
+Corner<ClaimedPosition> front_of(const ExchangeValue& value, bool is_unbounded) {
+  return is_unbounded ? corner_at_infinity_of(value.get("vector")) : finite_corner_of(value.get("front"));
+}
+
+BackKind back_kind_of(const ExchangeValue& value) {
+  for (const BackKind kind : {BackKind::kCritical, BackKind::kRegular, BackKind::kEdge, BackKind::kVertex}) {
+    if (value.text() == back_kind_text(kind)) return kind;
+  }
+  value.reject("a kind of back");
+}
+
+BackwardSegment<ClaimedPosition> segment_of(const ExchangeValue& value, bool is_unbounded) {
+  BackwardSegment<ClaimedPosition> segment;
   segment.samples = pair_of_ids(value.get("samples"));
-  segment.front = position_of(value.get("front"));
-  segment.back = position_of(value.get("back"));
-  if (const auto contact = value.find("front_contact")) segment.front_contact = ids_of(*contact);
+  segment.front = front_of(value, is_unbounded);
+  segment.back = finite_corner_of(value.get("back"));
+  if (!is_unbounded) {
+    if (const auto contact = value.find("front_contact")) segment.front_contact = ids_of(*contact);
+  }
   if (const auto contact = value.find("back_contact")) segment.back_contact = ids_of(*contact);
   if (const auto kind = value.find("back_kind")) segment.back_kind = back_kind_of(*kind);
   return segment;
 }
 
-ClaimedInterval interval_of(const ExchangeValue& value) {
-  ClaimedInterval interval{ids_of(value.get("polygon")), position_of(value.get("front")),
-                           position_of(value.get("back")), std::nullopt};
-  if (const auto stationary = value.find("back_is_stationary")) {
-    interval.back_is_stationary = bool_of(*stationary);
-  }
+BackwardInterval<ClaimedPosition> interval_of(const ExchangeValue& value, bool is_unbounded) {
+  BackwardInterval<ClaimedPosition> interval;
+  interval.polygon = ids_of(value.get("polygon"));
+  interval.front = front_of(value, is_unbounded);
+  interval.back = finite_corner_of(value.get("back"));
+  if (const auto stationary = value.find("back_is_stationary")) interval.back_is_stationary = bool_of(*stationary);
   return interval;
 }
 
-ClaimedSector sector_of(const ExchangeValue& value) {
-  return {pair_of_ids(value.get("samples")), corners_of(value.get("corners"))};
+Region<ClaimedPosition> sector_of(const ExchangeValue& value, bool is_unbounded) {
+  Region<ClaimedPosition> sector{pair_of_ids(value.get("samples")),
+                                 list_of(value.get("corners"), is_unbounded ? corner_of : finite_corner_of)};
+  if (sector.corners.size() < 3) value.get("corners").reject("three or more corners");
+  return sector;
 }
 
 std::array<std::size_t, 3> triangle_of(const ExchangeValue& value) {
@@ -81,58 +104,32 @@ ClaimedStable stable_of(const ExchangeValue& value) {
   return stable;
 }
 
-ClaimedSkeleton skeleton_of(const ExchangeValue& value) {
-  ClaimedSkeleton skeleton;
-  skeleton.segments = list_of(value.get("segments"), segment_of);
-  if (const auto intervals = value.find("intervals")) skeleton.intervals = list_of(*intervals, interval_of);
-  if (const auto sectors = value.find("sectors")) skeleton.sectors = list_of(*sectors, sector_of);
-  if (const auto orbits = value.find("orbits")) {
-    skeleton.orbits = list_of(*orbits, [](const ExchangeValue& chain) { return list_of(chain, count_of); });
-    for (const auto& chain : *skeleton.orbits) {
-      for (const std::size_t place : chain) {
-        if (place >= skeleton.segments.size()) orbits->reject("chains of the segments: there are not so many");
-      }
+// The pieces without ends at infinity, or those with such ends, which have keys of their own.
+StableSet<ClaimedPosition> pieces_of(const ExchangeValue& value, bool are_unbounded) {
+  const std::string prefix = are_unbounded ? "unbounded_" : "";
+  StableSet<ClaimedPosition> pieces;
+  const auto read = [&](const char* key, auto& list, const auto& piece_of) {
+    if (const auto all = value.find(prefix + key)) {
+      list = list_of(*all, [&](const ExchangeValue& piece) { return piece_of(piece, are_unbounded); });
+    }
+  };
+  if (!are_unbounded) (void)value.get("segments");
+  read("segments", pieces.segments, segment_of);
+  read("intervals", pieces.intervals, interval_of);
+  read("sectors", pieces.sectors, sector_of);
+  return pieces;
+}
+
+std::optional<std::vector<std::vector<std::size_t>>> orbits_of(const ExchangeValue& skeleton, std::size_t segments) {
+  const auto value = skeleton.find("orbits");
+  if (!value) return std::nullopt;
+  auto orbits = list_of(*value, [](const ExchangeValue& chain) { return list_of(chain, count_of); });
+  for (const auto& chain : orbits) {
+    for (const std::size_t place : chain) {
+      if (place >= segments) value->reject("chains of the segments: there are not so many");
     }
   }
-  return skeleton;
-}
-
-bool is_zero_vector(const ClaimedPosition& vector) {
-  return std::ranges::all_of(vector, [](const ClaimedNumber& coordinate) { return coordinate.value == 0; });
-}
-
-ClaimedPosition vector_of(const ExchangeValue& value) {
-  ClaimedPosition vector = position_of(value);
-  if (is_zero_vector(vector)) value.reject("a direction: the vector is zero");
-  return vector;
-}
-
-// A position, or an object with a vector where it is at infinity.
-ClaimedCorner corner_of(const ExchangeValue& value) {
-  if (!value.is(JsonKind::kObject)) return {position_of(value), false};
-  return {vector_of(value.get("vector")), true};
-}
-
-ClaimedUnboundedSegment unbounded_segment_of(const ExchangeValue& value) {
-  ClaimedUnboundedSegment segment;
-  segment.samples = pair_of_ids(value.get("samples"));
-  segment.vector = vector_of(value.get("vector"));
-  segment.back = position_of(value.get("back"));
-  if (const auto contact = value.find("back_contact")) segment.back_contact = ids_of(*contact);
-  if (const auto kind = value.find("back_kind")) segment.back_kind = back_kind_of(*kind);
-  return segment;
-}
-
-ClaimedUnboundedInterval unbounded_interval_of(const ExchangeValue& value) {
-  const auto stationary = value.find("back_is_stationary");
-  return {ids_of(value.get("polygon")), vector_of(value.get("vector")), position_of(value.get("back")),
-          stationary ? std::optional(bool_of(*stationary)) : std::nullopt};
-}
-
-ClaimedUnboundedSector unbounded_sector_of(const ExchangeValue& value) {
-  ClaimedUnboundedSector sector{pair_of_ids(value.get("samples")), list_of(value.get("corners"), corner_of)};
-  if (sector.corners.size() < 3) value.get("corners").reject("three or more corners");
-  return sector;
+  return orbits;
 }
 
 ClaimedSurface surface_of(const ExchangeValue& value) {
@@ -350,18 +347,20 @@ void read_volume(const ExchangeValue& record, ClaimedPoint& point) {
   point.shares = shares ? list_of(*shares, share_of) : list_of(*near_shares, rounded_share_of);
 }
 
-ClaimedUnstableInterval unstable_interval_of(const ExchangeValue& value) {
+EdgePart<ClaimedPosition> edge_part_of(const ExchangeValue& value) {
   return {ids_of(value.get("polygon")), corner_of(value.get("from")), corner_of(value.get("to"))};
 }
 
-ClaimedUnstableSheet unstable_sheet_of(const ExchangeValue& value) {
-  ClaimedUnstableSheet sheet{pair_of_ids(value.get("samples")), list_of(value.get("corners"), corner_of)};
+Region<ClaimedPosition> sheet_of(const ExchangeValue& value) {
+  Region<ClaimedPosition> sheet{pair_of_ids(value.get("samples")), list_of(value.get("corners"), corner_of)};
   if (!sheet.corners.empty() && sheet.corners.size() < 3) value.get("corners").reject("no corner, or three or more");
   return sheet;
 }
 
-ClaimedUnstableSegment unstable_segment_of(const ExchangeValue& value) {
-  return {pair_of_ids(value.get("samples")), position_of(value.get("start")), corner_of(value.get("end"))};
+Crossing<ClaimedPosition> ray_of(const ExchangeValue& value) {
+  Crossing<ClaimedPosition> ray{pair_of_ids(value.get("samples")), {}, finite_corner_of(value.get("start"))};
+  ray.front = corner_of(value.get("end"));
+  return ray;
 }
 
 // Reads a key that only points of index 1, and regular ones whose kind begins with 1, may have.
@@ -370,10 +369,10 @@ void read_unstable(const ExchangeValue& record, ClaimedPoint& point) {
   if (!u1) return;
   if (point.index != 1) record.place().reject("a key of points of the index or kind 1, 1-2 and 1-3 only: 'u1'");
   point.u1 = {.vertices = list_of(u1->get("vertices"), position_of),
-              .traces = list_of(u1->get("traces"), unstable_interval_of),
-              .runs = list_of(u1->get("runs"), unstable_interval_of),
-              .sheets = list_of(u1->get("sheets"), unstable_sheet_of),
-              .segments = list_of(u1->get("segments"), unstable_segment_of)};
+              .traces = list_of(u1->get("traces"), edge_part_of),
+              .runs = list_of(u1->get("runs"), edge_part_of),
+              .sheets = list_of(u1->get("sheets"), sheet_of),
+              .segments = list_of(u1->get("segments"), ray_of)};
 }
 
 // Reads keys that only critical points of index 2 and regular stationary points may have. Maxima may have a skeleton.
@@ -387,7 +386,10 @@ void read_stable(const ExchangeValue& record, ClaimedPoint& point) {
                             "and of regular stationary points only: " + in_quotes(key));
     }
     if (key == std::string_view("stable")) point.stable = stable_of(*value);
-    if (key == std::string_view("skeleton")) point.skeleton = skeleton_of(*value);
+    if (is_skeleton) {
+      point.skeleton = pieces_of(*value, false);
+      point.orbits = orbits_of(*value, point.skeleton->segments.size());
+    }
     if (key == std::string_view("surface")) point.surface = surface_of(*value);
   }
   if (point.hull_dimension && point.stable && point.stable->boundary) {
@@ -422,11 +424,11 @@ ClaimedInfinity infinity_of(const ExchangeValue& record) {
   ClaimedInfinity infinity;
   infinity.line = record.place().line;
   const ExchangeValue skeleton = record.get("skeleton");
-  infinity.bounded = skeleton_of(skeleton);
-  if (infinity.bounded.orbits) skeleton.reject("that of infinity, which has no orbits");
-  if (const auto all = skeleton.find("unbounded_segments")) infinity.segments = list_of(*all, unbounded_segment_of);
-  if (const auto all = skeleton.find("unbounded_intervals")) infinity.intervals = list_of(*all, unbounded_interval_of);
-  if (const auto all = skeleton.find("unbounded_sectors")) infinity.sectors = list_of(*all, unbounded_sector_of);
+  infinity.bounded = pieces_of(skeleton, false);
+  if (orbits_of(skeleton, infinity.bounded.segments.size())) {
+    skeleton.reject("that of infinity, which has no orbits");
+  }
+  infinity.unbounded = pieces_of(skeleton, true);
   return infinity;
 }
 

@@ -182,8 +182,8 @@ class Truth {
   [[nodiscard]] virtual std::optional<std::vector<std::uint32_t>> boundary(std::size_t i) = 0;
   // Both are for an index-2 critical point or a regular stationary point.
   [[nodiscard]] virtual StableSummary stable_summary(std::size_t i) = 0;
-  [[nodiscard]] virtual StableSet stable_set(std::size_t i) = 0;
-  [[nodiscard]] virtual InfinitySet set_of_infinity() = 0;
+  [[nodiscard]] virtual StableSet<> stable_set(std::size_t i) = 0;
+  [[nodiscard]] virtual StableSet<> set_of_infinity() = 0;
 
   // All three are for a stationary point whose face has dimension 1 or 2. Arcs and directions of the second one are in
   // the order of some λ-list. The third one is sorted by `to`; infinity comes last.
@@ -203,7 +203,7 @@ class Truth {
   [[nodiscard]] virtual Rational hull_volume() = 0;
 
   // For a stationary point whose face has dimension 1 (FC-UNST-04). All lists are sorted, as in UnstableSurface.
-  [[nodiscard]] virtual UnstableSurface unstable_surface(std::size_t i) = 0;
+  [[nodiscard]] virtual UnstableSurface<> unstable_surface(std::size_t i) = 0;
 
   // The square of a persistence, which is a difference of distances.
   [[nodiscard]] virtual TruePockets pockets(const Rational& squared_persistence) = 0;

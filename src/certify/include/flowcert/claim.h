@@ -16,6 +16,7 @@
 #include "flowcert/boxed.h"
 #include "flowcert/claimed_number.h"
 #include "flowcert/claimed_pockets.h"
+#include "flowcert/pieces.h"
 #include "flowcert/point_set.h"
 
 namespace flowcert {
@@ -33,57 +34,12 @@ struct ClaimedSegment {
 };
 using ClaimedPolyline = std::vector<ClaimedSegment>;
 
-// The claimed parts of the stable manifold of an index-2 point, or of the stable set of a regular one (FC-STAB).
-// Pieces are as in flowcert/stable_manifolds.h, but a claim may leave out some of their values.
-struct ClaimedBackwardSegment {
-  std::vector<PointId> samples;
-  ClaimedPosition front, back;
-  std::optional<std::vector<PointId>> front_contact, back_contact;
-  std::string back_kind;  // as claimed; empty where not claimed
-};
-struct ClaimedInterval {
-  std::vector<PointId> polygon;
-  ClaimedPosition front, back;
-  std::optional<bool> back_is_stationary;
-};
-struct ClaimedSector {
-  std::vector<PointId> samples;
-  std::vector<ClaimedPosition> corners;  // in cyclic order
-};
-struct ClaimedSkeleton {
-  std::vector<ClaimedBackwardSegment> segments;
-  std::vector<ClaimedInterval> intervals;
-  std::vector<ClaimedSector> sectors;
-  // Connecting orbits, each a chain of places in `segments`, which exist.
-  std::optional<std::vector<std::vector<std::size_t>>> orbits;
-};
-// The pieces of the set of infinity that have ends there (FC-STAB-08). A vector may have any length but 0.
-struct ClaimedUnboundedSegment {
-  std::vector<PointId> samples;
-  ClaimedPosition vector, back;
-  std::optional<std::vector<PointId>> back_contact;
-  std::string back_kind;  // as claimed; empty where not claimed
-};
-struct ClaimedUnboundedInterval {
-  std::vector<PointId> polygon;
-  ClaimedPosition vector, back;
-  std::optional<bool> back_is_stationary;
-};
-struct ClaimedCorner {
-  ClaimedPosition position;  // or a vector to infinity, of any length but 0
-  bool at_infinity = false;
-};
-struct ClaimedUnboundedSector {
-  std::vector<PointId> samples;
-  std::vector<ClaimedCorner> corners;  // in cyclic order
-};
+// What flows to infinity, as claimed (FC-STAB-08). A vector may have any length but 0.
 struct ClaimedInfinity {
-  std::size_t line = 0;     // of the file, 1-based
-  ClaimedSkeleton bounded;  // without orbits
-  std::vector<ClaimedUnboundedSegment> segments;
-  std::vector<ClaimedUnboundedInterval> intervals;
-  std::vector<ClaimedUnboundedSector> sectors;
+  std::size_t line = 0;  // of the file, 1-based
+  StableSet<ClaimedPosition> bounded, unbounded;
 };
+// The claimed parts of the stable manifold of an index-2 point, or of the stable set of a regular one (FC-STAB).
 struct ClaimedSurface {
   std::vector<ClaimedPosition> vertices;
   std::vector<std::array<std::size_t, 3>> triangles;  // of vertices, which exist
@@ -118,27 +74,6 @@ struct ClaimedShare {
   std::optional<ClaimedNumber> volume;  // none: no double is near
 };
 
-// The claimed parts of an unstable set of dimension 2 (FC-UNST-04), as in flowcert/unstable_surfaces.h.
-struct ClaimedUnstableInterval {
-  std::vector<PointId> polygon;
-  ClaimedCorner from, to;
-};
-struct ClaimedUnstableSheet {
-  std::vector<PointId> samples;
-  std::vector<ClaimedCorner> corners;  // in cyclic order; none if the sheet is the whole facet
-};
-struct ClaimedUnstableSegment {
-  std::vector<PointId> samples;
-  ClaimedPosition start;
-  ClaimedCorner end;
-};
-struct ClaimedUnstableSurface {
-  std::vector<ClaimedPosition> vertices;
-  std::vector<ClaimedUnstableInterval> traces, runs;
-  std::vector<ClaimedUnstableSheet> sheets;
-  std::vector<ClaimedUnstableSegment> segments;
-};
-
 // One critical (or regular stationary) point of a claim.
 struct ClaimedPoint {
   std::size_t line = 0;  // of the file, 1-based; in a VTP file, the point's ordinal, 1-based
@@ -162,7 +97,9 @@ struct ClaimedPoint {
   Boxed<std::vector<ClaimedPolyline>> u2;  // of an index-2 point: two, one a side
   // For an index-2 point or a regular one.
   Boxed<ClaimedStable> stable;
-  Boxed<ClaimedSkeleton> skeleton;
+  Boxed<StableSet<ClaimedPosition>> skeleton;
+  // Connecting orbits, each a chain of places in the skeleton's segments, which exist.
+  Boxed<std::vector<std::vector<std::size_t>>> orbits;
   Boxed<ClaimedSurface> surface;
   // For an index-1 or index-2 point or a regular one.
   Boxed<ClaimedLambdaList> lambda;
@@ -174,7 +111,7 @@ struct ClaimedPoint {
   bool has_rounded_volume = false;
   Boxed<std::vector<ClaimedShare>> shares;
   // For an index-1 point or a regular one whose kind begins with 1.
-  Boxed<ClaimedUnstableSurface> u1;
+  Boxed<UnstableSurface<ClaimedPosition>> u1;
 };
 
 // Whether the critical points of each index are claimed.

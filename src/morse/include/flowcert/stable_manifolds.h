@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "flowcert/orbit.h"
+#include "flowcert/pieces.h"
 #include "flowcert/progress.h"
 #include "flowcert/rounded_sphere.h"
 #include "flowcert/stationary_points.h"
@@ -26,77 +27,6 @@ struct StableOptions {
   std::uint64_t seed = 0;
   // At least 1. The results are the same for any number. Only the cascade kernel uses several.
   unsigned threads = 1;
-};
-
-// What a backward segment ends at (FC-STAB-04).
-enum class BackKind : std::uint8_t { kCritical, kRegular, kEdge, kVertex };
-// "critical", "regular", "edge", "vertex"
-[[nodiscard]] const char* back_kind_text(BackKind kind);
-
-// It lies in the Voronoi facet of two samples. Contact sets are ascending names.
-struct BackwardSegment {
-  std::array<PointId, 2> samples;  // ascending
-  RationalPoint front, back;
-  std::vector<PointId> front_contact, back_contact;
-  BackKind back_kind = BackKind::kCritical;
-};
-// It lies on the Voronoi edge of a polygon (FC-STAB-05).
-struct BackwardInterval {
-  std::vector<PointId> polygon;
-  RationalPoint front, back;
-  bool back_is_stationary = false;
-};
-// It lies in the Voronoi facet of two samples. The corners of its closure are in cyclic order, the lexicographically
-// least first and the lesser of its neighbours second.
-struct BackwardSector {
-  std::array<PointId, 2> samples;
-  std::vector<RationalPoint> corners;
-};
-// The skeleton of a stable set, which tells all of it (FC-STAB-02). Sorted by samples or polygon, then positions.
-struct StableSet {
-  std::vector<BackwardSegment> segments;
-  std::vector<BackwardInterval> intervals;
-  std::vector<BackwardSector> sectors;
-};
-
-// ---- What flows to infinity (FC-STAB-08) ----
-// An end at infinity is a vector that points there. Its largest coordinate is 1 or -1.
-
-// The open ray from `back` in the direction `vector`. It flows to infinity.
-struct UnboundedSegment {
-  std::array<PointId, 2> samples;  // ascending
-  RationalPoint vector, back;
-  std::vector<PointId> back_contact;
-  BackKind back_kind = BackKind::kCritical;
-};
-// The open ray from `back` on an unbounded Voronoi edge. It flows to infinity.
-struct UnboundedInterval {
-  std::vector<PointId> polygon;
-  RationalPoint vector, back;
-  bool back_is_stationary = false;
-};
-struct SectorCorner {
-  bool is_vector = false;
-  RationalPoint position;
-
-  friend bool operator==(const SectorCorner&, const SectorCorner&) = default;
-  friend bool operator<(const SectorCorner& a, const SectorCorner& b) {
-    return a.is_vector != b.is_vector ? b.is_vector : a.position < b.position;
-  }
-};
-// One corner is at infinity, or two neighbours are. The corners come in the order of a BackwardSector's; those at
-// infinity are greater than the others.
-struct UnboundedSector {
-  std::array<PointId, 2> samples;
-  std::vector<SectorCorner> corners;
-};
-// The skeleton of the set of all points that flow to infinity. Each list is sorted by samples or polygon, then
-// vectors or corners. If the directions of a sector are a half circle or more, it is cut into quarters of a circle.
-struct InfinitySet {
-  StableSet bounded;  // the pieces that have no end at infinity
-  std::vector<UnboundedSegment> segments;
-  std::vector<UnboundedInterval> intervals;
-  std::vector<UnboundedSector> sectors;
 };
 
 // The backward segments of a stable set in doubles. They come in the order of StableSet::segments.
@@ -118,7 +48,7 @@ struct RoundedSegments {
 // the contact set and goes towards the lesser of its neighbours in the polygon. Critical points of index 2 and
 // regular ones of kind 1-2 have it, unless the skeleton has a Voronoi vertex. contact is the stationary point's,
 // ascending. O(n log n) for n segments.
-[[nodiscard]] std::optional<std::vector<PointId>> boundary_walk(const StableSet& set, StationaryIndex index,
+[[nodiscard]] std::optional<std::vector<PointId>> boundary_walk(const StableSet<>& set, StationaryIndex index,
                                                                 std::span<const PointId> contact);
 
 struct StableStatistics {
@@ -161,11 +91,11 @@ class StableManifolds {
   [[nodiscard]] std::span<const std::uint32_t> boundary(std::size_t i) const;
 
   // The skeleton, with exact coordinates. This flows once more.
-  [[nodiscard]] StableSet set(std::size_t i) const;
+  [[nodiscard]] StableSet<> set(std::size_t i) const;
   // The skeleton of any stationary point, by its place in the list: of maxima, too. Index 0 and 1 have no pieces.
-  [[nodiscard]] StableSet set_of_record(std::size_t record) const;
+  [[nodiscard]] StableSet<> set_of_record(std::size_t record) const;
   // The skeleton of infinity.
-  [[nodiscard]] InfinitySet set_of_infinity() const;
+  [[nodiscard]] StableSet<> set_of_infinity() const;
   // Its backward segments, in the nearest doubles. This takes much less time.
   [[nodiscard]] RoundedSegments rounded_segments(std::size_t i) const;
 
@@ -182,7 +112,7 @@ class StableManifolds {
 // is the places of its segments in set.segments, against the flow: from the stationary point down to the critical
 // point of index 1. The orbits come in the order of their last segments. If a set has intervals, orbits that come
 // through these are left out. O(n log n) for n segments, and the lengths of the orbits.
-[[nodiscard]] std::vector<std::vector<std::size_t>> connecting_orbits(const StableSet& set,
+[[nodiscard]] std::vector<std::vector<std::size_t>> connecting_orbits(const StableSet<>& set,
                                                                       const RationalPoint& stationary);
 
 }  // namespace flowcert

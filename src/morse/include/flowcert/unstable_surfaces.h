@@ -12,54 +12,12 @@
 #include <vector>
 
 #include "flowcert/orbit.h"
+#include "flowcert/pieces.h"
 #include "flowcert/rounded_unstable_surface.h"
 #include "flowcert/stationary_points.h"
 
 namespace flowcert {
 
-// A point, or an end at infinity: then it is a vector in that direction, scaled so that its largest coordinate is 1 or
-// -1. Points come first, each in lexicographic order.
-struct SurfaceCorner {
-  RationalPoint position;
-  bool at_infinity = false;
-
-  friend bool operator==(const SurfaceCorner&, const SurfaceCorner&) = default;
-};
-
-// A part of the Voronoi edge of a polygon. The lesser end comes first.
-struct UnstableInterval {
-  std::vector<PointId> polygon;  // ascending
-  SurfaceCorner from, to;
-
-  friend bool operator==(const UnstableInterval&, const UnstableInterval&) = default;
-};
-// What lies in the Voronoi facet of two samples of the convex region with these corners, sides included. They are in
-// cyclic order, the least one first and the lesser of its neighbours second. If P does not span space, there are none,
-// and the sheet is the whole facet.
-struct UnstableSheet {
-  std::array<PointId, 2> samples;  // ascending
-  std::vector<SurfaceCorner> corners;
-
-  friend bool operator==(const UnstableSheet&, const UnstableSheet&) = default;
-};
-// The open segment in which a single ray crosses the Voronoi facet of two samples.
-struct UnstableSegment {
-  std::array<PointId, 2> samples;  // ascending
-  RationalPoint start;
-  SurfaceCorner end;
-
-  friend bool operator==(const UnstableSegment&, const UnstableSegment&) = default;
-};
-// Each list is sorted: by position, by polygon and ends, by samples and corners or start.
-struct UnstableSurface {
-  std::vector<RationalPoint> vertices;   // Voronoi vertices
-  std::vector<UnstableInterval> traces;  // with those of their ends that lie on the edge; a point has equal ends
-  std::vector<UnstableInterval> runs;    // without their ends
-  std::vector<UnstableSheet> sheets;
-  std::vector<UnstableSegment> segments;
-
-  friend bool operator==(const UnstableSurface&, const UnstableSurface&) = default;
-};
 // How many parts of each sort a set has.
 struct UnstableSurfaceSize {
   std::size_t vertices = 0, traces = 0, runs = 0, sheets = 0, segments = 0;
@@ -84,7 +42,7 @@ class UnstableSurfaces {
   [[nodiscard]] std::size_t record(std::size_t i) const;
   // Its set. The time is in proportion to the Voronoi edges that it meets, the sizes of the facets that it enters, and
   // the intervals that come to one edge; and to the lengths of the numbers.
-  [[nodiscard]] UnstableSurface set(std::size_t i) const;
+  [[nodiscard]] UnstableSurface<> set(std::size_t i) const;
   // The same in the nearest doubles, without vertices. It takes less time, because few exact coordinates are made.
   [[nodiscard]] RoundedUnstableSurface rounded_set(std::size_t i) const;
   // The size of set(i). That takes much less time, because no coordinates are made.
