@@ -8,7 +8,7 @@
 #include <span>
 
 #include "fuzz/properties/subject.h"
-#include "voronoi/diagram.h"
+#include "voronoi/voronoi_diagram.h"
 
 namespace flowcert::fuzz {
 
@@ -108,7 +108,7 @@ class Chains {
   std::vector<std::size_t> edges_;
 };
 
-Extent spatial_extent(const Diagram& faces) {
+Extent spatial_extent(const VoronoiDiagram& faces) {
   const VoronoiComplex& complex = faces.complex();
   Extent extent{4, 3, 0};
   for (std::size_t k = 0; k < complex.large_cluster_count(); ++k) {
@@ -131,7 +131,7 @@ Extent spatial_extent(const Diagram& faces) {
 }
 
 // For coplanar points a polygon is the contact set of its centre. Its Voronoi edge is a line, and a chain by itself.
-Extent planar_extent(const Diagram& faces) {
+Extent planar_extent(const VoronoiDiagram& faces) {
   Extent extent;
   for (CellIndex cell = 0; cell < faces.delaunay().finite_count; ++cell) {
     const PolygonRef polygon = faces.polygon({cell, 0});
@@ -144,7 +144,7 @@ Extent planar_extent(const Diagram& faces) {
 Extent extent_of(const VoronoiDiagram& diagram, const StationaryPoints& stationary) {
   Extent extent;
   if (diagram.dimension() >= 2) {
-    const Diagram& faces = diagram.faces();
+    const VoronoiDiagram& faces = diagram;
     extent = diagram.dimension() == 3 ? spatial_extent(faces) : planar_extent(faces);
   }
   for (std::size_t i = 0; i < stationary.size(); ++i) {

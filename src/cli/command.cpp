@@ -116,7 +116,7 @@ Input read_input(const std::string& path, const ReadingOptions& reading) {
     io::tell(fmt::format("warning: {}: {} repeated point{} merged\n", display_name(path), with_commas(merged),
                          merged == 1 ? "" : "s"));
   }
-  input.most_cells = reading.unlimited ? Delaunay::kAnyNumber : usual_most_cells(input.points.size());
+  input.most_cells = reading.unlimited ? kAnyNumberOfCells : usual_most_cells(input.points.size());
   return input;
 }
 
@@ -126,7 +126,7 @@ FlowComplexOptions complex_options(const Input& input, unsigned threads) {
 
 void tell_of_many_cells(const FlowComplex& complex) {
   constexpr std::size_t kManyForAPoint = 100, kMany = 100'000;
-  const std::size_t cells = complex.diagram().delaunay_cells(), points = complex.points().size();
+  const std::size_t cells = complex.delaunay_cells(), points = complex.points().size();
   if (cells < kMany || cells / points < kManyForAPoint) return;
   io::tell(fmt::format("note: {} Delaunay cells, {} a point: memory and output grow with the square of the points\n",
                        with_commas(cells), with_commas(cells / points)));

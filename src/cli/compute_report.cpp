@@ -324,7 +324,7 @@ Json compute_summary(const Input& input, const Measured& measured, const U2Choic
   const FlowComplex& complex = *measured.last;
   Json summary = header_fields("flowcert-summary", 1, input.points);
   add_counts(summary, input.points, complex.stationary());
-  summary["dimension"] = complex.diagram().dimension();
+  summary["dimension"] = complex.dimension();
   summary["euler"] = complex.stationary().euler_sum();
   summary["runs"] = measured.runs;
   summary["seconds"] = seconds_field(measured);

@@ -21,7 +21,7 @@ namespace flowcert::flow {
 class CoursesInStep {
  public:
   // Both must outlive it.
-  CoursesInStep(VoronoiFaces& faces, KernelTally& tally) : faces_(faces), tally_(tally) {}
+  CoursesInStep(VoronoiFaces& faces, KernelTally& tally) : faces_(faces), diagram_(faces.diagram()), tally_(tally) {}
 
   // source.next() is a Voronoi vertex to start from, or kNoCell if there is none for now. source.done(cluster, course)
   // takes what was found, source.undecided(cluster) what was not. Both may make further starts known.
@@ -76,8 +76,8 @@ class CoursesInStep {
     lane.cluster = cluster;
     lane.course = {};
     lane.sides = lane.rays = lane.along = lane.crossings = lane.centers = 0;
-    __builtin_prefetch(&faces_.complex().signs(cluster));
-    __builtin_prefetch(&faces_.delaunay().cells[cluster]);
+    __builtin_prefetch(&diagram_.complex().signs(cluster));
+    __builtin_prefetch(&diagram_.delaunay().cells[cluster]);
   }
 
   void advance(std::size_t k) {
@@ -117,16 +117,16 @@ class CoursesInStep {
   // ---- Stages ----
 
   void leave_vertex(Lane& lane) {
-    const VertexFlow flow = vertex_flow(faces_.diagram(), lane.cluster);
+    const VertexFlow flow = vertex_flow(diagram_, lane.cluster);
     lane.stage = Stage::kDone;
     if (flow.way == VertexFlow::Way::kStays) {
       lane.course.end = Place::at_vertex(lane.cluster);
       lane.course.stationary = flow.index;
     } else if (flow.way == VertexFlow::Way::kAlongEdge) {
-      end_along({'V', 'E', 0}, flow.edge, faces_.end(flow.edge, 0) == lane.cluster ? 1 : 0, lane);
+      end_along({'V', 'E', 0}, flow.edge, diagram_.end(flow.edge, 0) == lane.cluster ? 1 : 0, lane);
     } else {
       const FacetRing ring = faces_.ring(flow.facet, lane.cluster);
-      for (const VertexIndex v : faces_.delaunay().vertices(lane.cluster)) __builtin_prefetch(&faces_.point(v));
+      for (const VertexIndex v : diagram_.delaunay().vertices(lane.cluster)) __builtin_prefetch(&diagram_.point(v));
       lane.ring = ring.id;
       lane.stage = Stage::kFirstFacet;
     }
@@ -134,36 +134,38 @@ class CoursesInStep {
 
   void enter_first(std::size_t k) {
     Lane& lane = lanes_[k];
-    const auto& v = faces_.delaunay().vertices(lane.cluster);
-    const FacetRing ring = faces_.rings().at(lane.ring);
+    const auto& v = diagram_.delaunay().vertices(lane.cluster);
+    const FacetRing ring = faces_.ring(lane.ring);
     ++lane.centers;
     const FacetEdge edge = edge_of(ring.facet);
-    directions_.set(k,
-                    direction_from_vertex<double>(
-                        {&faces_.point(v[0]), &faces_.point(v[1]), &faces_.point(v[2]), &faces_.point(v[3])}, edge),
-                    edge);
-    enter(lane, ring, 'V', faces_.rings().element_of(ring, lane.cluster) + 1, ring.size() - 2);
+    directions_.set(
+        k,
+        direction_from_vertex<double>(
+            {&diagram_.point(v[0]), &diagram_.point(v[1]), &diagram_.point(v[2]), &diagram_.point(v[3])}, edge),
+        edge);
+    enter(lane, ring, 'V', faces_.element_of(ring, lane.cluster) + 1, ring.size() - 2);
   }
 
   // Goes on from the inside of a Voronoi edge.
   void go_on(std::size_t k) {
     Lane& lane = lanes_[k];
-    FacetRings& rings = faces_.rings();
+    VoronoiFaces& rings = faces_;
     const std::size_t exit = lane.exit();
     const RingLink link = rings.link(lane.ring, exit);
-    const std::span<const RingPiece> pieces = rings.at(lane.ring).pieces;  // link() may have moved them
+    const std::span<const RingPiece> pieces = rings.ring(lane.ring).pieces;  // link() may have moved them
     const RingPiece& left = pieces[exit];
     if (link.ring == RingLink::kAlongEdge) return end_on_edge(k, left.polygon());
-    const FacetRing ring = rings.at(link.ring);
+    const FacetRing ring = rings.ring(link.ring);
     cross(k, left.apex, ring.facet);
     enter(lane, ring, 'E', link.place + 1, ring.size() - 1);
   }
 
   void end_on_edge(std::size_t k, PolygonRef polygon) {
     Lane& lane = lanes_[k];
-    const auto [a, b, c] = faces_.corners(polygon);
+    const auto [a, b, c] = diagram_.corners(polygon);
     ++lane.along;
-    const MaybeSign side = normal_sign(directions_.direction(k), faces_.point(a), faces_.point(b), faces_.point(c));
+    const MaybeSign side =
+        normal_sign(directions_.direction(k), diagram_.point(a), diagram_.point(b), diagram_.point(c));
     // A zero would be a stationary point. Doubles never decide that.
     if (!side) return give_up(lane);
     lane.stage = Stage::kDone;
@@ -173,13 +175,15 @@ class CoursesInStep {
   // ---- Parts of stages ----
 
   void end_along(SegmentType type, PolygonRef edge, std::size_t side, Lane& lane) {
-    const CellIndex end = faces_.end(edge, side);
+    const CellIndex end = diagram_.end(edge, side);
     if (end != kNoCell) lane.course.end = Place::at_vertex(end);
     type[2] = letter(lane.course.end.kind);
     lane.course.add(type);
   }
 
-  [[nodiscard]] FacetEdge edge_of(FacetName facet) const { return {&faces_.point(facet.v0), &faces_.point(facet.v1)}; }
+  [[nodiscard]] FacetEdge edge_of(FacetName facet) const {
+    return {&diagram_.point(facet.v0), &diagram_.point(facet.v1)};
+  }
 
   // From one facet to the next, by the bisector of q. Most often q is an end of the next one's edge, and the other end
   // is one of this facet's. Which of them cannot be guessed, so that it is found without branches.
@@ -189,8 +193,8 @@ class CoursesInStep {
     const VertexIndex other = ends_at_q ? to.v0 : to.v1, end = ends_at_q ? to.v1 : to.v0;
     const bool keeps_v0 = other == from.v0;
     const VertexIndex kept = keeps_v0 ? from.v0 : from.v1;
-    if (other == kept && end == q) return directions_.ask_crossing(k, keeps_v0, faces_.point(q), ends_at_q);
-    directions_.set(k, direction_across(directions_.direction(k), edge_of(from), faces_.point(q), edge_of(to)),
+    if (other == kept && end == q) return directions_.ask_crossing(k, keeps_v0, diagram_.point(q), ends_at_q);
+    directions_.set(k, direction_across(directions_.direction(k), edge_of(from), diagram_.point(q), edge_of(to)),
                     edge_of(to));
   }
 
@@ -211,7 +215,7 @@ class CoursesInStep {
     std::size_t count = 0;
     for (std::size_t k = 0; k < kLanes; ++k) {
       if (lanes_[k].stage != Stage::kSearch) continue;
-      lanes_[k].pieces = faces_.rings().at(lanes_[k].ring).pieces;
+      lanes_[k].pieces = faces_.ring(lanes_[k].ring).pieces;
       if (!directions_.is_known(k)) {
         give_up(lanes_[k]);
       } else if (asks(k)) {
@@ -248,7 +252,7 @@ class CoursesInStep {
       const std::size_t here = lane.around(lane.start + probe), behind = lane.around(here + 1);
       if (lane.pieces[behind].vertex != kNoCell) {
         ++lane.sides;
-        directions_.ask_order(k, faces_.point(lane.pieces[here].apex), faces_.point(lane.pieces[behind].apex));
+        directions_.ask_order(k, diagram_.point(lane.pieces[here].apex), diagram_.point(lane.pieces[behind].apex));
         return true;
       }
       const std::optional<bool> is_clockwise = is_ray_clockwise(k, behind);
@@ -267,7 +271,7 @@ class CoursesInStep {
     ++lanes_[k].rays;
     const FacetRing ring{lanes_[k].ring, lanes_[k].facet, lanes_[k].pieces};
     const RingElement e = ring.element(piece);
-    const MaybeSign sign = approach_sign(directions_.direction(k), edge_of(ring.facet), faces_.point(e.apex));
+    const MaybeSign sign = approach_sign(directions_.direction(k), edge_of(ring.facet), diagram_.point(e.apex));
     if (!sign) return std::nullopt;
     return (*sign == Sign::kPositive) == (e.factor < 0);
   }
@@ -280,10 +284,11 @@ class CoursesInStep {
     if (!is_finite) return;
     ++lane.crossings;
     lane.stage = Stage::kFacet;
-    faces_.rings().prefetch_link(lane.pieces[piece]);
+    faces_.prefetch_link(lane.pieces[piece]);
   }
 
   VoronoiFaces& faces_;
+  const VoronoiDiagram& diagram_;
   KernelTally& tally_;
   std::array<Lane, kLanes> lanes_;
   DirectionLanes directions_;

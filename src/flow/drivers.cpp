@@ -23,7 +23,7 @@ struct Boundary {
   std::vector<PolygonRef> zero;
 };
 
-Boundary boundary_of(const Diagram& diagram, CellIndex cluster) {
+Boundary boundary_of(const VoronoiDiagram& diagram, CellIndex cluster) {
   const VoronoiComplex& complex = diagram.complex();
   Boundary boundary;
   for (const CellIndex cell : diagram.cells_of(cluster)) {
@@ -44,7 +44,7 @@ Boundary boundary_of(const Diagram& diagram, CellIndex cluster) {
 }
 
 // The polytope's edge that is obtuse in both its polygons.
-FacetName doubly_obtuse_edge(const Diagram& diagram, const Boundary& boundary) {
+FacetName doubly_obtuse_edge(const VoronoiDiagram& diagram, const Boundary& boundary) {
   std::vector<std::pair<VertexIndex, VertexIndex>> obtuse;
   for (const PolygonRef polygon : boundary.polygons) {
     for (const PolygonSide& side : diagram.sides(polygon)) {
@@ -58,7 +58,7 @@ FacetName doubly_obtuse_edge(const Diagram& diagram, const Boundary& boundary) {
 }
 
 // A Voronoi vertex of one cell. Its four facets are its polytope's polygons, and the cell's signs tell all of them.
-VertexFlow lone_vertex_flow(const Diagram& diagram, CellIndex cell) {
+VertexFlow lone_vertex_flow(const VoronoiDiagram& diagram, CellIndex cell) {
   const VoronoiComplex& complex = diagram.complex();
   const TetrahedronSigns& signs = complex.signs(cell);
   VertexFlow flow;
@@ -91,7 +91,7 @@ VertexFlow lone_vertex_flow(const Diagram& diagram, CellIndex cell) {
 
 }  // namespace
 
-VertexSources vertex_sources(const Diagram& diagram, CellIndex cluster) {
+VertexSources vertex_sources(const VoronoiDiagram& diagram, CellIndex cluster) {
   FLOWCERT_REQUIRES(diagram.dimension() == 3);
   struct Side {
     FacetName facet;
@@ -116,18 +116,18 @@ VertexSources vertex_sources(const Diagram& diagram, CellIndex cluster) {
   return sources;
 }
 
-Sign side_at(const Diagram& diagram, PolygonRef polygon, std::size_t end) {
+Sign side_at(const VoronoiDiagram& diagram, PolygonRef polygon, std::size_t end) {
   FLOWCERT_REQUIRES(diagram.dimension() == 3 && diagram.end(polygon, end) != kNoCell);
   const VoronoiComplex& complex = diagram.complex();
   return complex.side(end == 0 ? polygon : complex.mirror(polygon));
 }
 
-std::vector<PolygonRef> polygons_through(const Diagram& diagram, CellIndex cluster) {
+std::vector<PolygonRef> polygons_through(const VoronoiDiagram& diagram, CellIndex cluster) {
   FLOWCERT_REQUIRES(diagram.dimension() == 3);
   return boundary_of(diagram, cluster).zero;
 }
 
-VertexFlow vertex_flow(const Diagram& diagram, CellIndex cluster) {
+VertexFlow vertex_flow(const VoronoiDiagram& diagram, CellIndex cluster) {
   FLOWCERT_REQUIRES(diagram.dimension() == 3);
   if (diagram.complex().is_alone(cluster)) return lone_vertex_flow(diagram, cluster);
   const Boundary boundary = boundary_of(diagram, cluster);
@@ -154,7 +154,7 @@ VertexFlow vertex_flow(const Diagram& diagram, CellIndex cluster) {
 namespace {
 
 // The angle of a piece; positive if the piece lies at infinity.
-Sign angle_of(const Diagram& diagram, FacetName facet, const RingPiece& piece, FilterTally& tally) {
+Sign angle_of(const VoronoiDiagram& diagram, FacetName facet, const RingPiece& piece, FilterTally& tally) {
   if (!piece.is_finite()) return Sign::kPositive;
   // A polygon of one facet has the angle among its cell's signs.
   if (const VoronoiComplex* complex = diagram.spatial(); complex != nullptr) {
@@ -169,7 +169,7 @@ Sign angle_of(const Diagram& diagram, FacetName facet, const RingPiece& piece, F
 
 }  // namespace
 
-ObtuseChain obtuse_chain(const Diagram& diagram, FacetName facet, const FacetRing& ring, FilterTally& tally) {
+ObtuseChain obtuse_chain(const VoronoiDiagram& diagram, FacetName facet, const FacetRing& ring, FilterTally& tally) {
   const std::size_t n = ring.pieces.size();
   ObtuseChain chain;
   if (n == 0) return chain;

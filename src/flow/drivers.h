@@ -40,17 +40,17 @@ struct VertexSources {
   std::vector<PolygonRef> polygons;  // whose Voronoi edges lead to it, from their centres
 };
 // Dimension 3 only. The time is in proportion to the number of facets of the cluster, apart from sorting them.
-[[nodiscard]] VertexSources vertex_sources(const Diagram& diagram, CellIndex cluster);
+[[nodiscard]] VertexSources vertex_sources(const VoronoiDiagram& diagram, CellIndex cluster);
 
 // Dimension 3 only. s(o, f) of a polygon at end 0 or 1 of its Voronoi edge, which must be a Voronoi vertex
 // (FC-SIGN-03).
-[[nodiscard]] Sign side_at(const Diagram& diagram, PolygonRef polygon, std::size_t end);
+[[nodiscard]] Sign side_at(const VoronoiDiagram& diagram, PolygonRef polygon, std::size_t end);
 
 // Dimension 3 only. The polygons of the polytope that lie in a plane through the Voronoi vertex.
-[[nodiscard]] std::vector<PolygonRef> polygons_through(const Diagram& diagram, CellIndex cluster);
+[[nodiscard]] std::vector<PolygonRef> polygons_through(const VoronoiDiagram& diagram, CellIndex cluster);
 
 // Dimension 3 only. The time is in proportion to the number of facets of the cluster, which is 4 for most.
-[[nodiscard]] VertexFlow vertex_flow(const Diagram& diagram, CellIndex cluster);
+[[nodiscard]] VertexFlow vertex_flow(const VoronoiDiagram& diagram, CellIndex cluster);
 
 // ---- Into a facet ----
 // The flow enters a facet through those Voronoi edges whose polygon is obtuse at the facet's Delaunay edge.
@@ -66,7 +66,7 @@ struct ObtuseChain {
 };
 
 // O(n) for n pieces.
-[[nodiscard]] ObtuseChain obtuse_chain(const Diagram& diagram, FacetName facet, const FacetRing& ring,
+[[nodiscard]] ObtuseChain obtuse_chain(const VoronoiDiagram& diagram, FacetName facet, const FacetRing& ring,
                                        FilterTally& tally);
 
 }  // namespace flowcert::flow

@@ -22,7 +22,12 @@ template <ConstructsPoints Kernel>
 class KernelFlowOperator final : public FlowOperator {
  public:
   KernelFlowOperator(VoronoiFaces& faces, FacetSearch search)
-      : faces_(faces), kernel_(tally_), centers_{*this}, search_(search), in_step_(faces, tally_) {}
+      : faces_(faces),
+        diagram_(faces.diagram()),
+        kernel_(tally_),
+        centers_{*this},
+        search_(search),
+        in_step_(faces, tally_) {}
 
   PointNumber add(const RationalPoint& x) override { return kernel_.add(x); }
 
@@ -44,7 +49,7 @@ class KernelFlowOperator final : public FlowOperator {
 
   // A loop over rings. The way from one to the next is known from the second visit on.
   Course follow(CellIndex cluster) override {
-    const VertexFlow flow = vertex_flow(faces_.diagram(), cluster);
+    const VertexFlow flow = vertex_flow(diagram_, cluster);
     const Location start{Place::at_vertex(cluster), kNoPoint};
     if (flow.way != VertexFlow::Way::kAcrossFacet) return course_of(start, step_from_vertex(start));
     Course course;
@@ -54,16 +59,16 @@ class KernelFlowOperator final : public FlowOperator {
     char from = 'V';
     for (; exit.kind == Exit::Kind::kPiece; from = 'E') {
       course.add({from, 'F', 'E'});
-      x.leave(faces_.point(ring.pieces[exit.at].apex));
-      const RingLink link = faces_.rings().link(ring.id, exit.at);
+      x.leave(diagram_.point(ring.pieces[exit.at].apex));
+      const RingLink link = faces_.link(ring.id, exit.at);
       if (link.ring == RingLink::kAlongEdge) {
-        const Location at{Place::on_edge(faces_.rings().at(ring.id).pieces[exit.at].polygon()), kNoPoint};
-        const auto [a, b, c] = faces_.corners(at.place.edge);
-        const Sign side = x.sign_along_edge(faces_.point(a), faces_.point(b), faces_.point(c));
-        return course_of(at, step_along_edge(at, faces_.driver(at.place.edge).shape, side), course);
+        const Location at{Place::on_edge(faces_.ring(ring.id).pieces[exit.at].polygon()), kNoPoint};
+        const auto [a, b, c] = diagram_.corners(at.place.edge);
+        const Sign side = x.sign_along_edge(diagram_.point(a), diagram_.point(b), diagram_.point(c));
+        return course_of(at, step_along_edge(at, diagram_.driver(at.place.edge).shape, side), course);
       }
-      ring = faces_.rings().at(link.ring);
-      x.enter(faces_.point(ring.facet.v0), faces_.point(ring.facet.v1));
+      ring = faces_.ring(link.ring);
+      x.enter(diagram_.point(ring.facet.v0), diagram_.point(ring.facet.v1));
       exit = exit_from_piece(ring, link.place, x);
     }
     if (exit.kind == Exit::Kind::kElement) course.end = Place::at_vertex(ring.pieces[exit.at].vertex);
@@ -91,7 +96,7 @@ class KernelFlowOperator final : public FlowOperator {
   }
 
   Location end_of_edge(PolygonRef polygon, std::size_t side) override {
-    const CellIndex cluster = faces_.end(polygon, side);
+    const CellIndex cluster = diagram_.end(polygon, side);
     return cluster == kNoCell ? Location{} : Location{Place::at_vertex(cluster), kNoPoint};
   }
 
@@ -121,12 +126,14 @@ class KernelFlowOperator final : public FlowOperator {
   }
 
   PointNumber cross_back(const Location& front, FacetName facet, VertexIndex apex) override {
-    return kernel_.add_crossing(number_of(front), faces_.point(facet.v0), faces_.point(facet.v1), faces_.point(apex));
+    return kernel_.add_crossing(number_of(front), diagram_.point(facet.v0), diagram_.point(facet.v1),
+                                diagram_.point(apex));
   }
 
   PointNumber add_center(const std::array<VertexIndex, 3>& samples) override {
     return kernel_.add_circumcenter(
-        std::array{&faces_.point(samples[0]), &faces_.point(samples[1]), &faces_.point(samples[2])}, Stay::kPassing);
+        std::array{&diagram_.point(samples[0]), &diagram_.point(samples[1]), &diagram_.point(samples[2])},
+        Stay::kPassing);
   }
 
   RationalPoint exact(const Location& at) override { return kernel_.exact(number_of(at)); }
@@ -136,7 +143,7 @@ class KernelFlowOperator final : public FlowOperator {
       if (const auto sphere = kernel_.rounded(number)) return *sphere;
     }
     const RationalPoint x = kernel_.exact(number);
-    const Point& nearest = faces_.point(faces_.contact(at.place).front());
+    const Point& nearest = diagram_.point(diagram_.contact(at.place).front());
     return rounded_sphere(ExactSphere{x, geometry::squared_distance(x, nearest)});
   }
   void count_sizes(Distribution& exact_bytes, std::size_t& depth) const override {
@@ -165,26 +172,26 @@ class KernelFlowOperator final : public FlowOperator {
   struct Centers {
     KernelFlowOperator& flow;
     PointNumber operator()(CellIndex cluster) const { return flow.center(cluster); }
-    const Point& point(VertexIndex v) const { return flow.faces_.point(v); }
+    const Point& point(VertexIndex v) const { return flow.diagram_.point(v); }
   };
   using Query = RingQuery<Kernel, const Centers>;
   using Exit = typename Query::Exit;
   using MovingPoint = typename MovingPointOf<Kernel>::Type;
 
   MovingPoint moving_point(PointNumber start, const FacetRing& ring) {
-    return MovingPoint(kernel_, start, faces_.point(ring.facet.v0), faces_.point(ring.facet.v1));
+    return MovingPoint(kernel_, start, diagram_.point(ring.facet.v0), diagram_.point(ring.facet.v1));
   }
 
   // The Voronoi vertex, constructed when first needed. A kernel that constructs vertices for its signs keeps it until
   // drop_all().
   PointNumber center(CellIndex cluster) {
     const auto constructed = [&](Stay stay) {
-      const auto& v = faces_.delaunay().vertices(cluster);
+      const auto& v = diagram_.delaunay().vertices(cluster);
       return kernel_.add_circumcenter(
-          std::array{&faces_.point(v[0]), &faces_.point(v[1]), &faces_.point(v[2]), &faces_.point(v[3])}, stay);
+          std::array{&diagram_.point(v[0]), &diagram_.point(v[1]), &diagram_.point(v[2]), &diagram_.point(v[3])}, stay);
     };
     if constexpr (HasMovingPoint<Kernel>) return constructed(Stay::kPassing);
-    if (center_of_.empty()) center_of_.assign(faces_.delaunay().finite_count, kNoPoint);
+    if (center_of_.empty()) center_of_.assign(diagram_.delaunay().finite_count, kNoPoint);
     PointNumber& number = center_of_[cluster];
     if (number == kNoPoint) {
       constructed_.push_back(cluster);
@@ -198,10 +205,10 @@ class KernelFlowOperator final : public FlowOperator {
   }
 
   ObtuseChain chain_of(FacetName facet, const FacetRing& ring) {
-    std::uint32_t& number = faces_.rings().note(ring.id);
-    if (number == FacetRings::kNoNote) {
+    std::uint32_t& number = faces_.note(ring.id);
+    if (number == VoronoiFaces::kNoNote) {
       number = static_cast<std::uint32_t>(chains_.size());
-      chains_.push_back(obtuse_chain(faces_.diagram(), facet, ring, angle_tally_));
+      chains_.push_back(obtuse_chain(diagram_, facet, ring, angle_tally_));
     }
     FLOWCERT_REQUIRES(number < chains_.size());
     return chains_[number];
@@ -216,12 +223,12 @@ class KernelFlowOperator final : public FlowOperator {
   }
 
   static Driver midpoint_of(FacetName facet) { return {{facet.v0, facet.v1, kInfiniteVertex}, 2}; }
-  Driver center_of(PolygonRef polygon) const { return {faces_.corners(polygon), 3}; }
+  Driver center_of(PolygonRef polygon) const { return {diagram_.corners(polygon), 3}; }
 
   // V-V-V, V-E-{V, infinity}, V-F-{V, E, infinity}.
   FlowStep step_from_vertex(const Location& from) {
     const CellIndex cluster = from.place.vertex;
-    const VertexFlow flow = vertex_flow(faces_.diagram(), cluster);
+    const VertexFlow flow = vertex_flow(diagram_, cluster);
     FlowStep step;
     switch (flow.way) {
       case VertexFlow::Way::kStays:
@@ -232,7 +239,7 @@ class KernelFlowOperator final : public FlowOperator {
       case VertexFlow::Way::kAlongEdge:
         step.crossed = Place::on_edge(flow.edge);
         step.driver = center_of(flow.edge);
-        step.end = end_of_edge(flow.edge, faces_.end(flow.edge, 0) == cluster ? 1 : 0);
+        step.end = end_of_edge(flow.edge, diagram_.end(flow.edge, 0) == cluster ? 1 : 0);
         break;
       case VertexFlow::Way::kAcrossFacet: {
         const FacetRing ring = faces_.ring(flow.facet, cluster);
@@ -247,14 +254,14 @@ class KernelFlowOperator final : public FlowOperator {
   // E-E-{V, infinity}, E-F-{V, E, infinity}.
   FlowStep step_from_edge(const Location& from) {
     const PolygonRef polygon = from.place.edge;
-    const PolygonDriver driver = faces_.driver(polygon);
+    const PolygonDriver driver = diagram_.driver(polygon);
     if (driver.shape == Sign::kNegative) {
       const FacetRing ring = faces_.ring(driver.side, polygon.cell);
       MovingPoint x = moving_point(from.point, ring);
-      return across(ring, exit_from_piece(ring, faces_.rings().piece_of(ring, polygon), x), x);
+      return across(ring, exit_from_piece(ring, faces_.piece_of(ring, polygon), x), x);
     }
-    const auto [a, b, c] = faces_.corners(polygon);
-    const Sign side = kernel_.sign(AlongEdge{from.point, faces_.point(a), faces_.point(b), faces_.point(c)});
+    const auto [a, b, c] = diagram_.corners(polygon);
+    const Sign side = kernel_.sign(AlongEdge{from.point, diagram_.point(a), diagram_.point(b), diagram_.point(c)});
     return step_along_edge(from, driver.shape, side);
   }
 
@@ -276,7 +283,7 @@ class KernelFlowOperator final : public FlowOperator {
   // F-F-{V, E, infinity}.
   FlowStep step_from_facet(const Location& from) {
     const FacetName facet = from.place.facet;
-    if (exact(from) == exact_midpoint(faces_.point(facet.v0), faces_.point(facet.v1))) {
+    if (exact(from) == exact_midpoint(diagram_.point(facet.v0), diagram_.point(facet.v1))) {
       return stays(from, {1, 1}, midpoint_of(facet));
     }
     const FacetRing ring = faces_.ring(facet);
@@ -287,7 +294,7 @@ class KernelFlowOperator final : public FlowOperator {
   // C-C-{V, E, F, infinity}. Bisectors with the Delaunay neighbours bound the cell; the ray ends at the nearest.
   FlowStep step_from_cell(const Location& from) {
     const VertexIndex sample = from.place.sample;
-    const Point& p = faces_.point(sample);
+    const Point& p = diagram_.point(sample);
     const Driver driver{{sample, kInfiniteVertex, kInfiniteVertex}, 1};
     if (exact(from) == exact_position(p)) {
       return stays(from, {0, 0}, driver);
@@ -295,9 +302,10 @@ class KernelFlowOperator final : public FlowOperator {
     const PointNumber x = from.point;
     std::vector<VertexIndex> first;
     for (const VertexIndex q : faces_.neighbors(sample)) {
-      if (kernel_.sign(RayAtInfinity{x, p, p, faces_.point(q)}) != Sign::kPositive) continue;
-      const Sign order = first.empty() ? Sign::kNegative
-                                       : kernel_.sign(NearerExit{x, p, faces_.point(q), faces_.point(first.front())});
+      if (kernel_.sign(RayAtInfinity{x, p, p, diagram_.point(q)}) != Sign::kPositive) continue;
+      const Sign order = first.empty()
+                             ? Sign::kNegative
+                             : kernel_.sign(NearerExit{x, p, diagram_.point(q), diagram_.point(first.front())});
       if (order == Sign::kNegative) first.clear();
       if (order != Sign::kPositive) first.push_back(q);
     }
@@ -307,7 +315,7 @@ class KernelFlowOperator final : public FlowOperator {
     if (first.empty()) return step;
     step.end.place = faces_.place_of(sample, first);
     if (step.end.place.kind != Place::Kind::kVertex) {
-      step.end.point = kernel_.add_crossing(x, p, p, faces_.point(first.front()));
+      step.end.point = kernel_.add_crossing(x, p, p, diagram_.point(first.front()));
     }
     return step;
   }
@@ -331,7 +339,7 @@ class KernelFlowOperator final : public FlowOperator {
 
   Query query_of(const FacetRing& ring, MovingPoint& x) { return Query(kernel_, centers_, ring, x); }
   Exit exit_from_vertex(const FacetRing& ring, CellIndex cluster, MovingPoint& x) {
-    return query_of(ring, x).from_boundary(search_, faces_.rings().element_of(ring, cluster) + 1, ring.size() - 2);
+    return query_of(ring, x).from_boundary(search_, faces_.element_of(ring, cluster) + 1, ring.size() - 2);
   }
   Exit exit_from_piece(const FacetRing& ring, std::size_t piece, MovingPoint& x) {
     return query_of(ring, x).from_boundary(search_, piece + 1, ring.size() - 1);
@@ -351,7 +359,7 @@ class KernelFlowOperator final : public FlowOperator {
       case Exit::Kind::kPiece: {
         const RingPiece& piece = ring.pieces[exit.at];
         step.end.place = Place::on_edge(piece.polygon());
-        x.leave(faces_.point(piece.apex));
+        x.leave(diagram_.point(piece.apex));
         step.end.point = x.number();
         break;
       }
@@ -360,6 +368,7 @@ class KernelFlowOperator final : public FlowOperator {
   }
 
   VoronoiFaces& faces_;
+  const VoronoiDiagram& diagram_;
   KernelTally tally_;
   Kernel kernel_;
   const Centers centers_;

@@ -11,7 +11,7 @@ namespace flowcert::flow {
 // Turns the operator's own numbers into names and coordinates. All three arguments must outlive it.
 class SegmentRecorder {
  public:
-  SegmentRecorder(const PointSet& points, const Diagram& diagram, FlowOperator& flow)
+  SegmentRecorder(const PointSet& points, const VoronoiDiagram& diagram, FlowOperator& flow)
       : points_(points), diagram_(diagram), flow_(flow) {}
 
   [[nodiscard]] FlowSegment segment(const Location& start, const FlowStep& step) const;
@@ -29,7 +29,7 @@ class SegmentRecorder {
   [[nodiscard]] PointId name(VertexIndex v) const { return points_.name(diagram_.delaunay().ordinals[v]); }
 
   const PointSet& points_;
-  const Diagram& diagram_;
+  const VoronoiDiagram& diagram_;
   FlowOperator& flow_;
 };
 

@@ -43,7 +43,7 @@ struct Stretch {
 class SuccessorForest {
  public:
   // Without `share` each question flows anew, as the paper did. The diagram must outlive it.
-  SuccessorForest(const Diagram& diagram, bool share) : diagram_(diagram), share_(share) {}
+  SuccessorForest(const VoronoiDiagram& diagram, bool share) : diagram_(diagram), share_(share) {}
 
   // Flows from many Voronoi vertices, with a thread for each operator. Only with sharing. kNoCell among the starts is
   // passed over. The progress counts starts that are begun.
@@ -81,7 +81,7 @@ class SuccessorForest {
   // How many orbits pass each stretch.
   [[nodiscard]] std::vector<std::size_t> passes() const;
 
-  const Diagram& diagram_;
+  const VoronoiDiagram& diagram_;
   bool share_;
   std::vector<Stretch> stretches_;
   std::vector<ForestEnd> ends_;

@@ -20,8 +20,8 @@ bool is_finite(const Point& position) {
 RoundedSphere ClippedOrbits::cut(const Point& from, const RationalPoint& direction) {
   const Point end = box_.exit(from, direction);
   const RationalPoint exact_end = exact_position(end);
-  const auto nearest = faces_.contact(faces_.locate(exact_end));
-  const Rational squared = geometry::squared_distance(exact_end, faces_.point(nearest.front()));
+  const auto nearest = faces_.diagram().contact(faces_.locate(exact_end));
+  const Rational squared = geometry::squared_distance(exact_end, faces_.diagram().point(nearest.front()));
   return {end, nearest_or_infinity(squared)};
 }
 

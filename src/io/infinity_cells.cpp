@@ -61,7 +61,7 @@ class InfinityCells {
   }
 
   [[nodiscard]] UnstructuredGrid make() && {
-    if (complex_.diagram().dimension() == 3) {
+    if (complex_.dimension() == 3) {
       regions_.visit([this](const StableRegion& region) { add(region); });
       for (const auto& [sample, beyond] : unbounded_) add_cone(sample, beyond);
     }

@@ -27,7 +27,8 @@ FrontNumber BackwardWalk::at_infinity(const RationalPoint& direction, CellIndex 
 
 FrontNumber BackwardWalk::on_ray(FrontNumber front, FacetName facet) {
   Front on_it = fronts_[front];
-  on_it.point = flow_.add(exact_midpoint(faces_.point(facet.v0), faces_.point(facet.v1)) + direction(front));
+  on_it.point =
+      flow_.add(exact_midpoint(faces_.diagram().point(facet.v0), faces_.diagram().point(facet.v1)) + direction(front));
   return add(on_it);
 }
 
@@ -77,7 +78,7 @@ BackwardWalk::Back BackwardWalk::step(FrontNumber front, FacetName facet) {
   back.facet = facet;
   if (step.is_midpoint) {
     if (step.back.kind == Place::Kind::kFacet) throw std::logic_error("a Gabriel edge that is not listed");
-    if (step.back.kind == Place::Kind::kEdge) back.samples = faces_.corners(step.back.edge);
+    if (step.back.kind == Place::Kind::kEdge) back.samples = faces_.diagram().corners(step.back.edge);
   } else {
     back.before = front;
     back.apex = step.apex;

@@ -64,7 +64,7 @@ BoundedNumber bounded_crossing(const BoundedPair& pair, const BoundedNumber& r) 
 
 }  // namespace
 
-BoundedDivisions::BoundedDivisions(const Diagram& diagram, const LimitPartition& partition)
+BoundedDivisions::BoundedDivisions(const VoronoiDiagram& diagram, const LimitPartition& partition)
     : diagram_(diagram), partition_(partition) {
   double largest = 0;
   for (const Point& p : diagram.delaunay().points) {

@@ -26,7 +26,7 @@ using geometry::DoubleDouble;
 class BoundedDivisions {
  public:
   // Both must outlive it. All points are computed at once.
-  BoundedDivisions(const Diagram& diagram, const LimitPartition& partition);
+  BoundedDivisions(const VoronoiDiagram& diagram, const LimitPartition& partition);
 
   // All numbers are in units: lengths are divided by 2^unit().
   [[nodiscard]] int unit() const { return unit_; }
@@ -54,7 +54,7 @@ class BoundedDivisions {
   // A number in units, where that is exact.
   [[nodiscard]] std::optional<double> in_input(const BoundedNumber& number) const;
 
-  const Diagram& diagram_;
+  const VoronoiDiagram& diagram_;
   const LimitPartition& partition_;
   int unit_ = 0;
   double scale_ = 1;

@@ -13,7 +13,8 @@ namespace {
 
 // A path over edges of a Voronoi vertex' polytope that lead to the Voronoi vertex. It has the fewest edges that are
 // possible, or is any path that the ties choose.
-std::vector<FacetName> path_between(const Diagram& diagram, CellIndex cluster, FacetName ends, TieBreaking& ties) {
+std::vector<FacetName> path_between(const VoronoiDiagram& diagram, CellIndex cluster, FacetName ends,
+                                    TieBreaking& ties) {
   std::map<VertexIndex, std::vector<FacetName>> at;
   for (const FacetName edge : vertex_sources(diagram, cluster).edges) {
     at[edge.v0].push_back(edge);
@@ -41,7 +42,7 @@ std::vector<FacetName> path_between(const Diagram& diagram, CellIndex cluster, F
 
 class TieBreaker {
  public:
-  TieBreaker(const Diagram& diagram, BackwardWalk& walk, TieBreaking& ties)
+  TieBreaker(const VoronoiDiagram& diagram, BackwardWalk& walk, TieBreaking& ties)
       : diagram_(diagram), walk_(walk), ties_(ties) {}
 
   void add(FrontNumber front, FacetName facet) { tasks_.push_back({front, facet}); }
@@ -78,7 +79,7 @@ class TieBreaker {
     FacetName facet;
   };
 
-  const Diagram& diagram_;
+  const VoronoiDiagram& diagram_;
   BackwardWalk& walk_;
   TieBreaking& ties_;
   std::vector<Task> tasks_;
@@ -87,7 +88,7 @@ class TieBreaker {
 
 }  // namespace
 
-std::vector<std::uint32_t> tie_broken_boundary(const Diagram& diagram, BackwardWalk& walk, FrontNumber root,
+std::vector<std::uint32_t> tie_broken_boundary(const VoronoiDiagram& diagram, BackwardWalk& walk, FrontNumber root,
                                                std::span<const VertexIndex> samples, TieBreaking& ties) {
   TieBreaker breaker(diagram, walk, ties);
   const Place place = walk.place(root);

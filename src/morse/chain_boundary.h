@@ -39,7 +39,7 @@ class TieBreaking {
 };
 
 // Returns records of index 1, some of them several times. root is the centre of the polygon with these samples.
-[[nodiscard]] std::vector<std::uint32_t> tie_broken_boundary(const Diagram& diagram, BackwardWalk& walk,
+[[nodiscard]] std::vector<std::uint32_t> tie_broken_boundary(const VoronoiDiagram& diagram, BackwardWalk& walk,
                                                              FrontNumber root, std::span<const VertexIndex> samples,
                                                              TieBreaking& ties);
 

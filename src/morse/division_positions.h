@@ -16,7 +16,7 @@ namespace flowcert::morse {
 class DivisionPositions {
  public:
   // Both must outlive it.
-  DivisionPositions(const Diagram& diagram, const LimitPartition& partition)
+  DivisionPositions(const VoronoiDiagram& diagram, const LimitPartition& partition)
       : diagram_(diagram), partition_(partition), exact_(diagram, partition) {}
 
   // The position, or the vector that points to an end at infinity.
@@ -32,7 +32,7 @@ class DivisionPositions {
  private:
   [[nodiscard]] BoundedDivisions& bounded();
 
-  const Diagram& diagram_;
+  const VoronoiDiagram& diagram_;
   const LimitPartition& partition_;
   ExactDivisions exact_;
   std::optional<BoundedDivisions> bounded_;  // made when it is asked for

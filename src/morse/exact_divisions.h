@@ -19,7 +19,8 @@ namespace flowcert::morse {
 class ExactDivisions {
  public:
   // Both must outlive it.
-  ExactDivisions(const Diagram& diagram, const LimitPartition& partition) : diagram_(diagram), partition_(partition) {}
+  ExactDivisions(const VoronoiDiagram& diagram, const LimitPartition& partition)
+      : diagram_(diagram), partition_(partition) {}
 
   // The parameter of a crossing or a centre for its own polygon (division_parameter.h): of a crossing for p0, p1 of
   // its facet and its apex.
@@ -35,7 +36,7 @@ class ExactDivisions {
   [[nodiscard]] Vector3<Rational> at(VertexIndex v) const;
   [[nodiscard]] Rational crossing(const DivisionPoint& point);
 
-  const Diagram& diagram_;
+  const VoronoiDiagram& diagram_;
   const LimitPartition& partition_;
   std::unordered_map<PointOfDivision, Rational> parameters_;
   std::vector<PointOfDivision> pending_;

@@ -24,7 +24,7 @@ struct FacetSide {
 
 class FacetWalk {
  public:
-  FacetWalk(const Diagram& diagram, const LimitPartition& partition, const FacetRing& ring)
+  FacetWalk(const VoronoiDiagram& diagram, const LimitPartition& partition, const FacetRing& ring)
       : partition_(partition), sides_(diagram, ring) {}
 
   [[nodiscard]] std::vector<FacetRegion> regions() {
@@ -150,7 +150,8 @@ class FacetWalk {
 
 }  // namespace
 
-std::vector<FacetRegion> regions_of(const Diagram& diagram, const LimitPartition& partition, const FacetRing& ring) {
+std::vector<FacetRegion> regions_of(const VoronoiDiagram& diagram, const LimitPartition& partition,
+                                    const FacetRing& ring) {
   if (ring.size() == 0) return {{kInfinityLimit, {}}};
   return FacetWalk(diagram, partition, ring).regions();
 }

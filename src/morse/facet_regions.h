@@ -16,7 +16,7 @@ struct FacetRegion {
 };
 
 // The regions of the facet of a ring, counterclockwise.
-[[nodiscard]] std::vector<FacetRegion> regions_of(const Diagram& diagram, const LimitPartition& partition,
+[[nodiscard]] std::vector<FacetRegion> regions_of(const VoronoiDiagram& diagram, const LimitPartition& partition,
                                                   const FacetRing& ring);
 
 }  // namespace flowcert::morse

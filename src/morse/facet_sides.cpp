@@ -8,14 +8,14 @@ namespace flowcert::morse {
 
 namespace {
 
-ObtuseChain chain_of(const Diagram& diagram, const FacetRing& ring) {
+ObtuseChain chain_of(const VoronoiDiagram& diagram, const FacetRing& ring) {
   FilterTally ignored;
   return obtuse_chain(diagram, ring.facet, ring, ignored);
 }
 
 }  // namespace
 
-FacetSides::FacetSides(const Diagram& diagram, const FacetRing& ring)
+FacetSides::FacetSides(const VoronoiDiagram& diagram, const FacetRing& ring)
     : diagram_(&diagram), ring_(ring), chain_(chain_of(diagram, ring)) {}
 
 // A Voronoi edge before the element goes there, and one behind it comes from there.

@@ -27,7 +27,7 @@ struct PieceRun {
 class FacetSides {
  public:
   // The diagram and the ring's pieces must outlive it. O(n) for n pieces.
-  FacetSides(const Diagram& diagram, const FacetRing& ring);
+  FacetSides(const VoronoiDiagram& diagram, const FacetRing& ring);
 
   [[nodiscard]] const FacetRing& ring() const { return ring_; }
   [[nodiscard]] std::size_t size() const { return ring_.size(); }
@@ -54,7 +54,7 @@ class FacetSides {
   }
 
  private:
-  const Diagram* diagram_;
+  const VoronoiDiagram* diagram_;
   FacetRing ring_;
   ObtuseChain chain_;
 };

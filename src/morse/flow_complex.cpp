@@ -14,6 +14,7 @@
 #include "geometry/contract.h"
 #include "geometry/floating_point.h"
 #include "morse/layer.h"
+#include "voronoi/voronoi_diagram.h"
 
 namespace flowcert {
 
@@ -164,6 +165,8 @@ void FlowComplex::make(FlowComplexPart part) const {
 const PointSet& FlowComplex::points() const { return parts_->points; }
 unsigned FlowComplex::threads() const { return parts_->options.threads; }
 
+int FlowComplex::dimension() const { return diagram().dimension(); }
+std::size_t FlowComplex::delaunay_cells() const { return diagram().delaunay().cells.size(); }
 const VoronoiDiagram& FlowComplex::diagram() const {
   make(FlowComplexPart::kDiagram);
   return *parts_->diagram;

@@ -34,7 +34,7 @@ struct FlowLimits::Parts {
 
   [[nodiscard]] static std::size_t edges_of(const VoronoiDiagram& voronoi) {
     std::size_t count = 0;
-    for_each_polygon(voronoi.faces(), [&count](PolygonRef) { ++count; });
+    for_each_polygon(voronoi, [&count](PolygonRef) { ++count; });
     return count;
   }
   [[nodiscard]] LimitPartition::Progress progress_of_edges(const Progress& progress) const {
@@ -47,14 +47,12 @@ struct FlowLimits::Parts {
     FLOWCERT_REQUIRES(i < records.size());
     return std::span(divisions).subspan(first[i], first[i + 1] - first[i]);
   }
-  [[nodiscard]] PointId name(VertexIndex v) const {
-    return diagram.points().name(diagram.faces().delaunay().ordinals[v]);
-  }
+  [[nodiscard]] PointId name(VertexIndex v) const { return diagram.points().name(diagram.delaunay().ordinals[v]); }
 
   // Both are for who holds the mutex.
   [[nodiscard]] std::size_t first_direction(std::size_t i);
   [[nodiscard]] DivisionPositions& positions() {
-    if (!made_positions) made_positions.emplace(diagram.faces(), partition);
+    if (!made_positions) made_positions.emplace(diagram, partition);
     return *made_positions;
   }
 
@@ -84,7 +82,7 @@ void FlowLimits::Parts::turn_by_names(std::size_t record, std::vector<Division>&
   std::array<VertexIndex, 3> samples{};
   const auto contact = stationary.contact(record);
   for (std::size_t i = 0; i < 3; ++i) samples[i] = partition.vertex_named(contact[i]);
-  if (!has_turn(diagram.faces(), edge_of_record(stationary, record), samples)) std::swap(list.front(), list.back());
+  if (!has_turn(diagram, edge_of_record(stationary, record), samples)) std::swap(list.front(), list.back());
 }
 
 void FlowLimits::Parts::make_lists(const Progress& progress) {

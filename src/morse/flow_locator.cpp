@@ -40,7 +40,7 @@ SpatialPoint spatial(const Point& p) { return {p.x, p.y, p.z}; }
 // What all locators of one diagram share, and does not change.
 struct FlowLocator::Map {
   Map(const VoronoiDiagram& diagram, const StationaryPoints& list, const FlowLimits& limits)
-      : voronoi(diagram), faces(diagram.faces()), stationary(list), partition(limits.partition()) {
+      : voronoi(diagram), faces(diagram), stationary(list), partition(limits.partition()) {
     if (faces.dimension() < 3) return;
     neighborhoods.emplace(faces);
     divisions.emplace(faces, partition);
@@ -60,7 +60,7 @@ struct FlowLocator::Map {
   [[nodiscard]] PointId name(VertexIndex v) const { return voronoi.points().name(faces.delaunay().ordinals[v]); }
 
   const VoronoiDiagram& voronoi;
-  const Diagram& faces;
+  const VoronoiDiagram& faces;
   const StationaryPoints& stationary;
   const LimitPartition& partition;
   // Dimension 3 only.

@@ -29,7 +29,7 @@ SurfaceParts ForwardWalk::walk(FacetName root, CellIndex hint) {
   clear();
   SurfaceParts parts;
   parts.sheets.push_back({root, {}});
-  if (faces_.dimension() < 2) return parts;
+  if (diagram_.dimension() < 2) return parts;
   const FacetSides from = facet(root, hint);
   add_root(from);
   while (!tasks_.empty()) {
@@ -37,7 +37,7 @@ SurfaceParts ForwardWalk::walk(FacetName root, CellIndex hint) {
     tasks_.pop_back();
     task.vertex != kNoCell ? follow_vertex(task.vertex) : follow_part(task.polygon, task.part);
   }
-  if (faces_.dimension() == 3) {
+  if (diagram_.dimension() == 3) {
     for (std::size_t k = 0; k < from.size(); ++k) parts.sheets.front().corners.push_back(element(from, k));
   }
   for (const auto& [cluster, step] : vertices_) parts.vertices.push_back(cluster);
@@ -65,7 +65,7 @@ void ForwardWalk::add_part(PolygonRef polygon, const TracePart& part) {
     tasks_.push_back({kNoCell, polygon, added});
   }
   for (std::size_t k = 0; k < 2; ++k) {
-    const CellIndex cluster = part.from.is_end(k) || part.to.is_end(k) ? faces_.end(polygon, k) : kNoCell;
+    const CellIndex cluster = part.from.is_end(k) || part.to.is_end(k) ? diagram_.end(polygon, k) : kNoCell;
     if (cluster != kNoCell) add_vertex(cluster);
   }
 }
@@ -75,9 +75,9 @@ void ForwardWalk::follow_vertex(CellIndex cluster) {
   if (step.stationary) return;
   if (step.crossed.kind == Place::Kind::kEdge) {
     const PolygonRef polygon = step.crossed.edge;
-    const std::size_t far = faces_.end(polygon, 0) == cluster ? 1 : 0;
+    const std::size_t far = diagram_.end(polygon, 0) == cluster ? 1 : 0;
     edge(polygon).runs_whole_to[far] = true;
-    if (faces_.end(polygon, far) != kNoCell) add_vertex(faces_.end(polygon, far));
+    if (diagram_.end(polygon, far) != kNoCell) add_vertex(diagram_.end(polygon, far));
     return;
   }
   const FacetSides& through = facet(step.crossed.facet, cluster);
@@ -86,10 +86,10 @@ void ForwardWalk::follow_vertex(CellIndex cluster) {
 }
 
 void ForwardWalk::follow_part(PolygonRef polygon, const TracePart& part) {
-  const PolygonDriver driver = faces_.driver(polygon);
+  const PolygonDriver driver = diagram_.driver(polygon);
   if (driver.shape != Sign::kNegative) return run(polygon, part);
-  const FacetSides& through = facet(driver.side, faces_.diagram().cell_of_side(polygon, driver.side));
-  const std::size_t piece = faces_.rings().piece_of(through.ring(), polygon);
+  const FacetSides& through = facet(driver.side, diagram_.cell_of_side(polygon, driver.side));
+  const std::size_t piece = faces_.piece_of(through.ring(), polygon);
   const bool forward = through.is_forward(piece);
   const Exit first = exit_of_end(through, piece, forward ? part.to : part.from);
   const Exit last = exit_of_end(through, piece, forward ? part.from : part.to);
@@ -101,7 +101,7 @@ void ForwardWalk::run(PolygonRef polygon, const TracePart& part) {
   along.runs_to[0] = along.runs_to[0] || side_of(polygon, part.from) < 0;
   along.runs_to[1] = along.runs_to[1] || side_of(polygon, part.to) > 0;
   for (std::size_t k = 0; k < 2; ++k) {
-    if (along.runs_to[k] && faces_.end(polygon, k) != kNoCell) add_vertex(faces_.end(polygon, k));
+    if (along.runs_to[k] && diagram_.end(polygon, k) != kNoCell) add_vertex(diagram_.end(polygon, k));
   }
 }
 
@@ -139,7 +139,7 @@ const FacetSides& ForwardWalk::facet(FacetName name, CellIndex hint) {
   const FacetRing ring = faces_.ring(name, hint);
   if (const auto known = facets_.find(ring.id); known != facets_.end()) return known->second.sides;
   std::vector<RingPiece> pieces(ring.pieces.begin(), ring.pieces.end());
-  const FacetSides sides(faces_.diagram(), {ring.id, ring.facet, pieces});
+  const FacetSides sides(diagram_, {ring.id, ring.facet, pieces});
   return facets_.emplace(ring.id, Facet{std::move(pieces), sides}).first->second.sides;
 }
 
@@ -158,8 +158,8 @@ const FlowStep& ForwardWalk::step_of(CellIndex cluster) {
 // The end of the edge beyond which the centre of its polygon lies, or at which; nothing if it is inside the edge.
 std::optional<int> ForwardWalk::centre_beyond(PolygonRef polygon) const {
   for (std::size_t k = 0; k < 2; ++k) {
-    const bool is_vertex = faces_.end(polygon, k) != kNoCell;
-    if (is_vertex && side_at(faces_.diagram(), polygon, k) != Sign::kPositive) return static_cast<int>(k);
+    const bool is_vertex = diagram_.end(polygon, k) != kNoCell;
+    if (is_vertex && side_at(diagram_, polygon, k) != Sign::kPositive) return static_cast<int>(k);
   }
   return std::nullopt;
 }
@@ -173,7 +173,7 @@ int ForwardWalk::side_of(PolygonRef polygon, const TraceEnd& end) {
   const FlowStep& step = known->second;
   if (step.stationary) return 0;
   const CellIndex to = step.end.place.kind == Place::Kind::kVertex ? step.end.place.vertex : kNoCell;
-  return to == faces_.end(polygon, 1) ? 1 : -1;
+  return to == diagram_.end(polygon, 1) ? 1 : -1;
 }
 
 // ---- Exits ----
@@ -183,8 +183,8 @@ ForwardWalk::Exit ForwardWalk::exit_of(const FacetSides& facet, const Location& 
   const FacetRing& ring = facet.ring();
   SurfaceEnd end;
   end.at = step.end;
-  if (place.kind == Place::Kind::kVertex) return {2 * faces_.rings().element_of(ring, place.vertex), end};
-  if (place.kind == Place::Kind::kEdge) return {2 * faces_.rings().piece_of(ring, place.edge) + 1, end};
+  if (place.kind == Place::Kind::kVertex) return {2 * faces_.element_of(ring, place.vertex), end};
+  if (place.kind == Place::Kind::kEdge) return {2 * faces_.piece_of(ring, place.edge) + 1, end};
   const auto infinite = std::ranges::find_if(ring.pieces, [](const RingPiece& piece) { return !piece.is_finite(); });
   if (infinite == ring.pieces.end()) throw std::logic_error("a ray to infinity in a bounded facet");
   end = {SurfaceEnd::Kind::kThrough, from, ring.facet};
@@ -311,7 +311,7 @@ void ForwardWalk::list_near_part(const FacetSides& facet, const NearPart& part, 
     return;
   }
   SheetParts sheet{facet.ring().facet, {}};
-  if (faces_.dimension() == 3) {
+  if (diagram_.dimension() == 3) {
     const std::size_t n = facet.size();
     sheet.corners.push_back(near_corner(facet, first_piece, first));
     for (std::size_t k = first_piece; k != last_piece; k = (k + n - 1) % n) sheet.corners.push_back(element(facet, k));

@@ -55,7 +55,8 @@ struct SurfaceParts {
 class ForwardWalk {
  public:
   // Both must outlive it.
-  ForwardWalk(VoronoiFaces& faces, FlowOperator& flow) : faces_(faces), flow_(flow), order_(faces.diagram(), flow) {}
+  ForwardWalk(VoronoiFaces& faces, FlowOperator& flow)
+      : faces_(faces), diagram_(faces.diagram()), flow_(flow), order_(diagram_, flow) {}
 
   // All that flows from the closed facet, whose midpoint is stationary. Its points stay until the next walk.
   [[nodiscard]] SurfaceParts walk(FacetName root, CellIndex hint);
@@ -113,6 +114,7 @@ class ForwardWalk {
   [[nodiscard]] static SurfaceEnd near_corner(const FacetSides& facet, std::size_t piece, const TraceEnd& end);
 
   VoronoiFaces& faces_;
+  const VoronoiDiagram& diagram_;
   FlowOperator& flow_;
   TraceOrder order_;
   std::vector<Task> tasks_;

@@ -21,12 +21,13 @@ LimitPartition::LimitPartition(const VoronoiDiagram& diagram, const StationaryPo
                                const FlowOptions& options, const Progress& progress)
     : stationary_(stationary),
       points_of_input_(diagram.points()),
-      vertex_of_(vertices_by_ordinal(diagram.faces().delaunay())),
+      vertex_of_(vertices_by_ordinal(diagram.delaunay())),
       gabriel_(points_of_input_, stationary, vertex_of_),
+      diagram_(diagram),
       faces_(diagram),
       flow_(make_flow_operator(faces_, options)),
       walk_(faces_, *flow_, gabriel_) {
-  if (faces_.dimension() < 2) return;
+  if (diagram_.dimension() < 2) return;
   note_records();
   divide_all_edges(progress);
   walk_.clear();
@@ -34,7 +35,7 @@ LimitPartition::LimitPartition(const VoronoiDiagram& diagram, const StationaryPo
 }
 
 void LimitPartition::note_records() {
-  const std::size_t cells = faces_.delaunay().finite_count;
+  const std::size_t cells = diagram_.delaunay().finite_count;
   of_vertex_.assign(cells, kUnset);
   of_edge_.assign(4 * cells, kNotDivided);
   record_of_edge_.assign(4 * cells, kInfinityLimit);
@@ -53,13 +54,13 @@ void LimitPartition::note_records() {
 // ---- The order of work ----
 
 void LimitPartition::divide_all_edges(const Progress& progress) {
-  for_each_polygon(faces_.diagram(), [&](PolygonRef polygon) {
+  for_each_polygon(diagram_, [&](PolygonRef polygon) {
     while (!request_edge(polygon)) finish_tasks(progress);
   });
-  if (faces_.dimension() < 3) return;
+  if (diagram_.dimension() < 3) return;
   // Some Voronoi vertices are at the ends of no edge whose division needed them.
-  for (CellIndex cell = 0; cell < faces_.delaunay().finite_count; ++cell) {
-    if (faces_.complex().cluster(cell) != cell) continue;
+  for (CellIndex cell = 0; cell < diagram_.delaunay().finite_count; ++cell) {
+    if (diagram_.complex().cluster(cell) != cell) continue;
     while (!request_vertex(cell)) finish_tasks(progress);
   }
 }
@@ -87,19 +88,19 @@ bool LimitPartition::request_vertex(CellIndex cluster) {
 
 bool LimitPartition::request_edge(PolygonRef polygon) {
   if (of_edge_[polygon.packed()] != kNotDivided) return true;
-  const PolygonDriver driver = faces_.driver(polygon);
+  const PolygonDriver driver = diagram_.driver(polygon);
   if (driver.shape != Sign::kNegative) return divide_along(polygon);
-  tasks_.push_back({false, driver.side, faces_.diagram().cell_of_side(polygon, driver.side)});
+  tasks_.push_back({false, driver.side, diagram_.cell_of_side(polygon, driver.side)});
   return false;
 }
 
 bool LimitPartition::finish_vertex(const Task& task) {
   const CellIndex cluster = task.cell;
   if (of_vertex_[cluster] != kUnset) return true;
-  const VertexFlow flow = vertex_flow(faces_.diagram(), cluster);
+  const VertexFlow flow = vertex_flow(diagram_, cluster);
   if (flow.way == VertexFlow::Way::kStays) throw std::logic_error("a stationary point that is not listed");
   if (flow.way == VertexFlow::Way::kAlongEdge) {
-    const CellIndex next = faces_.end(flow.edge, faces_.end(flow.edge, 0) == cluster ? 1 : 0);
+    const CellIndex next = diagram_.end(flow.edge, diagram_.end(flow.edge, 0) == cluster ? 1 : 0);
     if (next != kNoCell && !request_vertex(next)) return false;
     of_vertex_[cluster] = next == kNoCell ? kInfinityLimit : of_vertex_[next];
     return true;
@@ -111,7 +112,7 @@ bool LimitPartition::finish_vertex(const Task& task) {
 }
 
 bool LimitPartition::finish_facet(FacetName facet, CellIndex hint) {
-  const FacetSides sides(faces_.diagram(), faces_.ring(facet, hint));
+  const FacetSides sides(diagram_, faces_.ring(facet, hint));
   const PieceRun near = sides.near();
   if (near.count == 0 || of_edge_[sides.piece(near.first).packed] != kNotDivided) return true;
   if (!is_ready(sides)) return false;
@@ -135,7 +136,7 @@ bool LimitPartition::is_ready(const FacetSides& sides) {
 // ---- Edges ----
 
 Limit LimitPartition::limit_at_end(PolygonRef polygon, std::size_t end) const {
-  const CellIndex cluster = faces_.end(polygon, end);
+  const CellIndex cluster = diagram_.end(polygon, end);
   return cluster == kNoCell ? kInfinityLimit : of_vertex_[cluster];
 }
 
@@ -145,11 +146,11 @@ bool LimitPartition::divide_along(PolygonRef polygon) {
   const std::uint32_t record = record_of_edge_[polygon.packed()];
   const bool has_center = record != kInfinityLimit;
   const bool starts_at_0 =
-      !has_center && faces_.end(polygon, 0) != kNoCell && side_at(faces_.diagram(), polygon, 0) != Sign::kPositive;
+      !has_center && diagram_.end(polygon, 0) != kNoCell && side_at(diagram_, polygon, 0) != Sign::kPositive;
   bool is_ready = true;
   for (std::size_t end = 0; end < 2; ++end) {
     if (!has_center && end != (starts_at_0 ? 1u : 0u)) continue;
-    const CellIndex cluster = faces_.end(polygon, end);
+    const CellIndex cluster = diagram_.end(polygon, end);
     if (cluster != kNoCell && !request_vertex(cluster)) is_ready = false;
   }
   if (!is_ready) return false;
@@ -158,7 +159,7 @@ bool LimitPartition::divide_along(PolygonRef polygon) {
     slice_.push_back({limit_at_end(polygon, 0)});
     slice_.push_back({record, add({DivisionPoint::Kind::kCenter, polygon.packed()})});
     fronts_.resize(points_.size());
-    fronts_.back() = walk_.at_center(faces_.corners(polygon), polygon);
+    fronts_.back() = walk_.at_center(diagram_.corners(polygon), polygon);
     slice_.push_back({limit_at_end(polygon, 1)});
   } else {
     slice_.push_back({limit_at_end(polygon, starts_at_0 ? 1 : 0)});
@@ -302,11 +303,11 @@ PointOfDivision LimitPartition::point_of(const FacetSides& sides, const FanEntry
 // ---- Directions ----
 
 FacetName LimitPartition::facet_of(std::size_t record) const {
-  return facet_of_record(faces_.diagram(), points_of_input_, vertex_of_, stationary_, record);
+  return facet_of_record(diagram_, points_of_input_, vertex_of_, stationary_, record);
 }
 
 Division LimitPartition::direction_to_end(PolygonRef polygon, std::size_t end) {
-  const CellIndex cluster = faces_.end(polygon, end);
+  const CellIndex cluster = diagram_.end(polygon, end);
   if (cluster != kNoCell) return {of_vertex_[cluster], point_at_vertex(cluster)};
   return {kInfinityLimit, add({DivisionPoint::Kind::kEnd, polygon.packed(), {0, 0}, static_cast<VertexIndex>(end)})};
 }
@@ -319,8 +320,8 @@ void LimitPartition::directions_of_face_2(std::size_t record, std::vector<Divisi
     return;
   }
   const CellIndex cluster = cell_of_record(stationary_, record);
-  const PolygonRef polygon = polygons_through(faces_.diagram(), cluster).front();
-  list.push_back(direction_to_end(polygon, faces_.end(polygon, 0) == cluster ? 1 : 0));
+  const PolygonRef polygon = polygons_through(diagram_, cluster).front();
+  list.push_back(direction_to_end(polygon, diagram_.end(polygon, 0) == cluster ? 1 : 0));
 }
 
 void LimitPartition::directions(std::size_t record, std::vector<Division>& list) {
@@ -333,7 +334,7 @@ void LimitPartition::directions(std::size_t record, std::vector<Division>& list)
     list.push_back({kInfinityLimit});
     return;
   }
-  const FacetSides sides(faces_.diagram(), ring);
+  const FacetSides sides(diagram_, ring);
   make_fan(sides);
   if (index.is_critical()) close_fan(sides);
   // The midpoint lies on one piece with a right angle, or between two. The ring goes on along the last one.

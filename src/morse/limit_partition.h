@@ -142,6 +142,7 @@ class LimitPartition {
   const PointSet& points_of_input_;
   std::vector<VertexIndex> vertex_of_;
   GabrielEdges gabriel_;
+  const VoronoiDiagram& diagram_;
   VoronoiFaces faces_;
   std::unique_ptr<FlowOperator> flow_;
   BackwardWalk walk_;

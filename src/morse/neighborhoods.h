@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "morse/layer.h"
-#include "voronoi/diagram.h"
+#include "voronoi/voronoi_diagram.h"
 
 namespace flowcert::morse {
 
@@ -23,7 +23,7 @@ struct Neighbor {
 // The Delaunay neighbours of each sample, side by side.
 class Neighborhoods {
  public:
-  explicit Neighborhoods(const Diagram& diagram) : first_(diagram.delaunay().points.size() + 1, 0) {
+  explicit Neighborhoods(const VoronoiDiagram& diagram) : first_(diagram.delaunay().points.size() + 1, 0) {
     struct Ordered {
       VertexIndex from;
       Neighbor to;

@@ -9,7 +9,7 @@
 #include "flowcert/rational.h"
 #include "geometry/rational_point.h"
 #include "morse/layer.h"
-#include "voronoi/diagram.h"
+#include "voronoi/voronoi_diagram.h"
 
 namespace flowcert::morse {
 
@@ -26,7 +26,8 @@ namespace flowcert::morse {
 }
 
 // Whether (b-a) x (c-a) points to end 1 of the polygon's Voronoi edge. The samples are not collinear.
-[[nodiscard]] inline bool has_turn(const Diagram& diagram, PolygonRef polygon, const std::array<VertexIndex, 3>& abc) {
+[[nodiscard]] inline bool has_turn(const VoronoiDiagram& diagram, PolygonRef polygon,
+                                   const std::array<VertexIndex, 3>& abc) {
   const std::array<VertexIndex, 3> corners = diagram.corners(polygon);
   if (const int turn = turn_of_same(corners, abc); turn != 0) return turn > 0;
   // Only polygons with more than three samples come here.

@@ -9,7 +9,7 @@
 
 #include "flowcert/stationary_points.h"
 #include "morse/layer.h"
-#include "voronoi/diagram.h"
+#include "voronoi/voronoi_diagram.h"
 
 namespace flowcert::morse {
 

@@ -9,7 +9,7 @@
 
 namespace flowcert::morse {
 
-FacetName facet_of_record(const Diagram& diagram, const PointSet& points, std::span<const VertexIndex> vertex_of,
+FacetName facet_of_record(const VoronoiDiagram& diagram, const PointSet& points, std::span<const VertexIndex> vertex_of,
                           const StationaryPoints& stationary, std::size_t record) {
   const StationaryIndex index = stationary.index(record);
   FLOWCERT_REQUIRES(index.face_dimension == 1);

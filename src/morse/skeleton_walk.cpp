@@ -16,7 +16,7 @@ namespace flowcert::morse {
 FrontNumber SkeletonWalk::start(std::size_t record) {
   const Place place = place_of_record(source_.stationary, record);
   if (place.kind == Place::Kind::kVertex) return walk_.at_vertex(place.vertex);
-  const std::array<VertexIndex, 3> corners = faces_.corners(place.edge);
+  const std::array<VertexIndex, 3> corners = faces_.diagram().corners(place.edge);
   const FrontNumber front = walk_.at_center(corners, place.edge);
   if (source_.stationary.index(record).is_critical() && source_.stationary.contact(record).size() == 3) {
     for (std::size_t k = 0; k < 3; ++k) tasks_.push_back({front, facet_name(corners[k], corners[(k + 1) % 3])});
@@ -25,7 +25,7 @@ FrontNumber SkeletonWalk::start(std::size_t record) {
 }
 
 void SkeletonWalk::push_sides(FrontNumber front, PolygonRef polygon) {
-  for (const PolygonSide& side : faces_.sides(polygon)) {
+  for (const PolygonSide& side : faces_.diagram().sides(polygon)) {
     if (side.angle == Sign::kPositive) tasks_.push_back({front, side.facet()});
   }
 }
@@ -37,7 +37,7 @@ void SkeletonWalk::push_vertex(CellIndex cluster, FrontNumber front) {
   for (const FacetName edge : sources.edges) tasks_.push_back({front, edge});
   size_.has_interval = size_.has_interval || !sources.polygons.empty();
   for (const PolygonRef polygon : sources.polygons) {
-    sources_of_intervals_.push_back({cluster, {polygon, faces_.end(polygon, 0) == cluster ? 0u : 1u}});
+    sources_of_intervals_.push_back({cluster, {polygon, faces_.diagram().end(polygon, 0) == cluster ? 0u : 1u}});
   }
 }
 
@@ -109,7 +109,7 @@ std::size_t SkeletonWalk::depth() const {
 }
 
 std::array<PointId, 2> SkeletonWalk::names(FacetName facet) const {
-  const auto name = [this](VertexIndex v) { return source_.points.name(faces_.delaunay().ordinals[v]); };
+  const auto name = [this](VertexIndex v) { return source_.points.name(faces_.diagram().delaunay().ordinals[v]); };
   std::array<PointId, 2> names{name(facet.v0), name(facet.v1)};
   std::ranges::sort(names);
   return names;
@@ -149,12 +149,12 @@ void SkeletonWalk::record_intervals() {
     sources_of_intervals_.pop_back();
     const PolygonRef polygon = source.at.polygon;
     const std::size_t far = 1 - source.at.end;
-    const CellIndex other = faces_.end(polygon, far);
+    const CellIndex other = faces_.diagram().end(polygon, far);
     const Sign beyond = other == kNoCell ? Sign::kPositive : side_at(faces_.diagram(), polygon, far);
     const FrontNumber front = front_of(source);
     const bool back_is_stationary = beyond != Sign::kNegative;
     const FrontNumber back =
-        back_is_stationary ? walk_.at_center(faces_.corners(polygon), polygon) : walk_.at_vertex(other);
+        back_is_stationary ? walk_.at_center(faces_.diagram().corners(polygon), polygon) : walk_.at_vertex(other);
     if (!back_is_stationary) push_vertex(other, back);
     record_sectors({polygon, far == 1 ? front : back, far == 1 ? back : front});
     record_interval(front, polygon, back, back_is_stationary);
@@ -167,7 +167,7 @@ void SkeletonWalk::record_sectors(const Arc& arc) {
   while (!arcs.empty()) {
     const Arc next = arcs.back();
     arcs.pop_back();
-    for (const PolygonSide& side : faces_.sides(next.polygon)) {
+    for (const PolygonSide& side : faces_.diagram().sides(next.polygon)) {
       if (side.angle != Sign::kPositive) continue;
       record_sector(side.facet(), sector_of(faces_, walk_, side.facet(), next), arcs);
     }

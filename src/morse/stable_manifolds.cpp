@@ -52,7 +52,7 @@ struct StableManifolds::Parts {
         points(voronoi.points()),
         stationary(list),
         options(how),
-        vertex_of(vertices_by_ordinal(voronoi.faces().delaunay())),
+        vertex_of(vertices_by_ordinal(voronoi.delaunay())),
         gabriel(points, list, vertex_of) {}
 
   [[nodiscard]] std::unique_ptr<SkeletonWalk> make_walk() const {

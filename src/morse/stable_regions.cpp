@@ -16,7 +16,7 @@ using namespace morse;
 
 struct StableRegions::Parts {
   Parts(const VoronoiDiagram& voronoi, const FlowLimits& all)
-      : diagram(voronoi.faces()),
+      : diagram(voronoi),
         points(voronoi.points()),
         partition(all.partition()),
         faces(voronoi),
@@ -27,7 +27,7 @@ struct StableRegions::Parts {
   [[nodiscard]] DivisionPoint place(const RegionCorner& corner) const;
   [[nodiscard]] RationalPoint midpoint(const StableRegion& region) const;
 
-  const Diagram& diagram;
+  const VoronoiDiagram& diagram;
   const PointSet& points;
   const LimitPartition& partition;
   VoronoiFaces faces;

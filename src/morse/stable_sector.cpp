@@ -19,14 +19,14 @@ struct NearPlace {
 };
 
 // Whether an element of the ring is the front at infinity.
-bool is_end_at(const Diagram& diagram, const BackwardWalk& walk, const FacetSides& sides, std::size_t element,
+bool is_end_at(const VoronoiDiagram& diagram, const BackwardWalk& walk, const FacetSides& sides, std::size_t element,
                FrontNumber front) {
   return sides.vertex(element) == kNoCell &&
          direction_of(diagram, sides.end_at_infinity(element)) == walk.direction(front);
 }
 
 // Where the near side itself is unbounded, its end may be the front.
-NearPlace near_place(const Diagram& diagram, BackwardWalk& walk, const FacetSides& sides, FrontNumber front) {
+NearPlace near_place(const VoronoiDiagram& diagram, BackwardWalk& walk, const FacetSides& sides, FrontNumber front) {
   const PieceRun near = sides.near();
   if (walk.is_at_infinity(front)) {
     for (const std::size_t k : {std::size_t{0}, std::size_t{near.count}}) {
@@ -43,7 +43,7 @@ NearPlace near_place(const Diagram& diagram, BackwardWalk& walk, const FacetSide
   throw std::logic_error("a ray that comes from no place of the near side");
 }
 
-SectorParts sector_between(const Diagram& diagram, BackwardWalk& walk, const FacetSides& sides, FrontNumber a,
+SectorParts sector_between(const VoronoiDiagram& diagram, BackwardWalk& walk, const FacetSides& sides, FrontNumber a,
                            FrontNumber b) {
   SectorParts parts;
   parts.corners = {a, b};
@@ -72,7 +72,7 @@ SectorParts sector_between(const Diagram& diagram, BackwardWalk& walk, const Fac
 
 SectorParts sector_of(VoronoiFaces& faces, BackwardWalk& walk, FacetName facet, const Arc& arc) {
   const FacetSides sides(faces.diagram(), faces.ring(facet, arc.polygon.cell));
-  const bool is_along = sides.is_forward(faces.rings().piece_of(sides.ring(), arc.polygon));
+  const bool is_along = sides.is_forward(faces.piece_of(sides.ring(), arc.polygon));
   return sector_between(faces.diagram(), walk, sides, is_along ? arc.a : arc.b, is_along ? arc.b : arc.a);
 }
 

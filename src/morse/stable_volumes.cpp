@@ -59,7 +59,7 @@ struct StableVolumes::Parts {
   };
 
   Parts(const VoronoiDiagram& voronoi, const StationaryPoints& list, const FlowLimits& all)
-      : diagram(voronoi.faces()),
+      : diagram(voronoi),
         points(voronoi.points()),
         partition(all.partition()),
         first(list.size() + 1, 0),
@@ -95,7 +95,7 @@ struct StableVolumes::Parts {
   void add_shares(const VolumeTerm& term, std::vector<std::pair<PointId, Rational>>& shares);
   [[nodiscard]] std::vector<FacetRef> triangles_of(PolygonRef polygon) const;
 
-  const Diagram& diagram;
+  const VoronoiDiagram& diagram;
   const PointSet& points;
   const LimitPartition& partition;
   std::vector<VolumeTerm> terms;   // by record

@@ -14,7 +14,7 @@
 #include "morse/layer.h"
 #include "morse/ordered_records.h"
 #include "morse/record_face.h"
-#include "voronoi/diagram.h"
+#include "voronoi/voronoi_diagram.h"
 
 namespace flowcert {
 
@@ -337,7 +337,7 @@ void StationaryPoints::append(StationaryIndex index, std::span<const PointId> co
 
 StationaryPoints stationary_points(const VoronoiDiagram& voronoi, unsigned threads, const Progress& progress) {
   const geometry::IeeeDoubles ieee;
-  const Diagram& diagram = voronoi.faces();
+  const VoronoiDiagram& diagram = voronoi;
   OrderedRecords records(diagram.delaunay().ordinals);
   if (diagram.spatial() != nullptr) {
     add_spatial(*diagram.spatial(), threads, progress, records);

@@ -19,7 +19,7 @@ std::array<double, 3> coordinates(const Point& x) { return {x.x, x.y, x.z}; }
 
 // ---- Exactly ----
 
-RationalPoint SurfaceCorners::sample(VertexIndex v) const { return exact_position(faces_.point(v)); }
+RationalPoint SurfaceCorners::sample(VertexIndex v) const { return exact_position(faces_.diagram().point(v)); }
 
 Corner<> SurfaceCorners::exact(const SurfaceEnd& end) {
   if (end.kind == SurfaceEnd::Kind::kPoint) return {flow_.exact(end.at)};
@@ -37,7 +37,7 @@ Corner<> SurfaceCorners::exact(PolygonRef polygon, const TraceEnd& end) {
 }
 
 Corner<> SurfaceCorners::middle_of_line(PolygonRef polygon) {
-  return {flow_.exact({Place::on_edge(polygon), flow_.add_center(faces_.corners(polygon))})};
+  return {flow_.exact({Place::on_edge(polygon), flow_.add_center(faces_.diagram().corners(polygon))})};
 }
 
 // ---- By number ----
@@ -54,7 +54,7 @@ std::uint32_t SurfaceCorners::number(const SurfaceEnd& end) {
 
 std::uint32_t SurfaceCorners::number(PolygonRef polygon, const TraceEnd& end) {
   if (end.kind == TraceEnd::Kind::kPoint) return number(end.at);
-  const CellIndex cluster = faces_.end(polygon, end.is_end(1) ? 1 : 0);
+  const CellIndex cluster = faces_.diagram().end(polygon, end.is_end(1) ? 1 : 0);
   return cluster != kNoCell ? number(Location{Place::at_vertex(cluster), kNoPoint}) : number(exact(polygon, end));
 }
 

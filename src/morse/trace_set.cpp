@@ -1,7 +1,7 @@
 #include "morse/trace_set.h"
 
 #include "geometry/rational_point.h"
-#include "voronoi/facet_rings.h"
+#include "voronoi/voronoi_faces.h"
 
 namespace flowcert::morse {
 

@@ -31,7 +31,7 @@ struct TracePart {
 class TraceOrder {
  public:
   // Both must outlive it.
-  TraceOrder(const Diagram& diagram, FlowOperator& flow) : diagram_(diagram), flow_(flow) {}
+  TraceOrder(const VoronoiDiagram& diagram, FlowOperator& flow) : diagram_(diagram), flow_(flow) {}
 
   // Negative if a comes before b on the edge, 0 if they are equal.
   [[nodiscard]] int compare(PolygonRef polygon, const TraceEnd& a, const TraceEnd& b);
@@ -46,7 +46,7 @@ class TraceOrder {
   [[nodiscard]] double rounded(const Location& at, std::size_t coordinate);
   [[nodiscard]] const RationalPoint& exact(const Location& at);
 
-  const Diagram& diagram_;
+  const VoronoiDiagram& diagram_;
   FlowOperator& flow_;
   std::unordered_map<std::uint32_t, Axis> axes_;  // by packed polygon
   std::unordered_map<PointNumber, Point> rounded_;

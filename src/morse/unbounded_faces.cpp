@@ -29,8 +29,8 @@ class UnboundedSearch {
  private:
   // The samples lie on a line, so that all directions from a midpoint lead to infinity.
   void add_planes() {
-    for (CellIndex edge = 0; edge < faces_.delaunay().finite_count; ++edge) {
-      const auto& v = faces_.delaunay().vertices(edge);
+    for (CellIndex edge = 0; edge < diagram_.delaunay().finite_count; ++edge) {
+      const auto& v = diagram_.delaunay().vertices(edge);
       UnboundedFacet facet{facet_name(v[0], v[1]), edge, {}, {}};
       const RationalPoint axis = axis_of(facet.facet);
       facet.rays.push_back(
@@ -43,21 +43,21 @@ class UnboundedSearch {
 
   void add_edges() {
     const bool is_spatial = diagram_.spatial() != nullptr;
-    for (CellIndex cell = 0; cell < faces_.delaunay().finite_count; ++cell) {
+    for (CellIndex cell = 0; cell < diagram_.delaunay().finite_count; ++cell) {
       for (std::uint32_t i = is_spatial ? 0 : 3; i < 4; ++i) {
         const PolygonRef polygon{cell, i};
-        const bool is_inside = is_spatial && faces_.delaunay().is_finite(faces_.delaunay().neighbors(cell)[i]);
-        if (!is_inside && faces_.polygon(polygon) == polygon) add_edge(polygon);
+        const bool is_inside = is_spatial && diagram_.delaunay().is_finite(diagram_.delaunay().neighbors(cell)[i]);
+        if (!is_inside && diagram_.polygon(polygon) == polygon) add_edge(polygon);
       }
     }
   }
 
   void add_edge(PolygonRef polygon) {
-    const bool leads = faces_.driver(polygon).shape != Sign::kNegative;
+    const bool leads = diagram_.driver(polygon).shape != Sign::kNegative;
     for (std::size_t end = 0; end < 2; ++end) {
-      if (leads && faces_.end(polygon, end) == kNoCell) found_.edges.push_back({polygon, end});
+      if (leads && diagram_.end(polygon, end) == kNoCell) found_.edges.push_back({polygon, end});
     }
-    for (const PolygonSide& side : faces_.sides(polygon)) {
+    for (const PolygonSide& side : diagram_.sides(polygon)) {
       const FacetRing ring = faces_.ring(side.facet(), diagram_.cell_of_side(polygon, side.facet()));
       if (ring.id >= is_seen_.size()) is_seen_.resize(2 * std::size_t{ring.id} + 1, false);
       if (!is_seen_[ring.id]) add_facet(ring, polygon.cell);
@@ -103,7 +103,7 @@ class UnboundedSearch {
   }
 
   VoronoiFaces& faces_;
-  const Diagram& diagram_;
+  const VoronoiDiagram& diagram_;
   std::vector<bool> is_seen_;  // by ring
   UnboundedFaces found_;
 };
@@ -112,7 +112,7 @@ class UnboundedSearch {
 
 UnboundedFaces unbounded_faces(VoronoiFaces& faces) { return UnboundedSearch(faces).found(); }
 
-RationalPoint direction_of(const Diagram& diagram, const EdgeEnd& at) {
+RationalPoint direction_of(const VoronoiDiagram& diagram, const EdgeEnd& at) {
   const auto [a, b, c] = diagram.corners(at.polygon);
   const auto position = [&](VertexIndex v) { return exact_position(diagram.point(v)); };
   const RationalPoint normal = as_direction(normal_of(position(a), position(b), position(c)));

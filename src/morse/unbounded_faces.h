@@ -32,6 +32,6 @@ struct UnboundedFaces {
 [[nodiscard]] UnboundedFaces unbounded_faces(VoronoiFaces& faces);
 
 // Where an end at infinity lies.
-[[nodiscard]] RationalPoint direction_of(const Diagram& diagram, const EdgeEnd& at);
+[[nodiscard]] RationalPoint direction_of(const VoronoiDiagram& diagram, const EdgeEnd& at);
 
 }  // namespace flowcert::morse

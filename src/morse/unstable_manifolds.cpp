@@ -69,12 +69,12 @@ class UnstableManifolds::Parts::Worker {
         flow_(make_flow_operator(faces_, all.options.flow)),
         recorder_(all.diagram.points(), faces_.diagram(), *flow_),
         forest_(faces_.diagram(), all.options.share),
-        rounded_(*flow_, faces_.delaunay().finite_count) {}
+        rounded_(*flow_, faces_.diagram().delaunay().finite_count) {}
 
   // The Voronoi vertices to which the two sides of a manifold lead first, or kNoCell for infinity.
   [[nodiscard]] std::array<CellIndex, 2> first_vertices(std::size_t saddle) {
     const PolygonRef polygon = edge_of_record(all_.stationary, saddle);
-    std::array<CellIndex, 2> ends{faces_.end(polygon, 0), faces_.end(polygon, 1)};
+    std::array<CellIndex, 2> ends{faces_.diagram().end(polygon, 0), faces_.diagram().end(polygon, 1)};
     if (is_reversed(saddle, polygon)) std::swap(ends[0], ends[1]);
     return ends;
   }
@@ -145,14 +145,15 @@ auto UnstableManifolds::Parts::with_worker(const auto& use) {
 // Whether the contact points a, b, c, in the order of their names, turn the other way than the polygon's
 // corners. Ordinals ascend with names.
 bool UnstableManifolds::Parts::Worker::is_reversed(std::size_t record, PolygonRef polygon) const {
-  const auto corners = faces_.corners(polygon);
+  const auto corners = faces_.diagram().corners(polygon);
   const auto contact = all_.stationary.contact(record);
   if (contact.size() == 3) {
-    const auto& ordinals = faces_.delaunay().ordinals;
+    const auto& ordinals = faces_.diagram().delaunay().ordinals;
     const std::array<std::uint32_t, 3> o{ordinals[corners[0]], ordinals[corners[1]], ordinals[corners[2]]};
     return int{o[0] < o[1]} + int{o[1] < o[2]} + int{o[2] < o[0]} == 1;
   }
-  return dot(exact_normal(faces_.point(corners[0]), faces_.point(corners[1]), faces_.point(corners[2])),
+  return dot(exact_normal(faces_.diagram().point(corners[0]), faces_.diagram().point(corners[1]),
+                          faces_.diagram().point(corners[2])),
              normal_of(record)) < 0;
 }
 
@@ -210,7 +211,7 @@ std::optional<std::size_t> UnstableManifolds::Parts::Worker::limit_beyond(std::s
   } else {
     const std::vector<PolygonRef> polygons = polygons_through(faces_.diagram(), place.vertex);
     const PolygonRef polygon = polygons.at(choice % polygons.size());
-    start = flow_->end_of_edge(polygon, faces_.end(polygon, 0) == place.vertex ? 1 : 0);
+    start = flow_->end_of_edge(polygon, faces_.diagram().end(polygon, 0) == place.vertex ? 1 : 0);
   }
   const std::optional<std::size_t> limit = record_of(forest_.end_from(start.place, *flow_));
   if (!all_.options.share) drop();
@@ -223,7 +224,7 @@ Orbit UnstableManifolds::Parts::Worker::orbit(std::size_t saddle, std::size_t si
   FlowStep first;
   const PolygonRef polygon = edge_of_record(all_.stationary, saddle);
   first.crossed = Place::on_edge(polygon);
-  first.driver = {faces_.corners(polygon), 3};
+  first.driver = {faces_.diagram().corners(polygon), 3};
   first.end = start_of(saddle, side);
   orbit.segments.push_back(recorder_.segment({first.crossed, flow_->add(orbit.start)}, first));
   recorder_.follow(first.end, orbit);
@@ -259,7 +260,7 @@ Point UnstableManifolds::Parts::Worker::last_direction_from(CellIndex vertex) {
 }
 
 void UnstableManifolds::Parts::compute(const Progress& progress) {
-  if (diagram.dimension() == 3) record_at.resize(diagram.faces().delaunay().finite_count);
+  if (diagram.dimension() == 3) record_at.resize(diagram.delaunay().finite_count);
   for (std::size_t record = 0; record < stationary.size(); ++record) {
     if (stationary.index(record).hull_dimension != 3) continue;
     record_at[cell_of_record(stationary, record)] = static_cast<std::uint32_t>(record);

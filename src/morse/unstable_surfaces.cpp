@@ -35,7 +35,7 @@ struct UnstableSurfaces::Parts {
   class Worker;
 
   Parts(const VoronoiDiagram& voronoi, const StationaryPoints& list, FlowOptions how)
-      : diagram(voronoi), stationary(list), options(how), vertex_of(vertices_by_ordinal(voronoi.faces().delaunay())) {
+      : diagram(voronoi), stationary(list), options(how), vertex_of(vertices_by_ordinal(voronoi.delaunay())) {
     for (std::size_t record = 0; record < list.size(); ++record) {
       if (list.index(record).face_dimension == 1) records.push_back(static_cast<std::uint32_t>(record));
     }
@@ -73,7 +73,9 @@ class UnstableSurfaces::Parts::Worker {
   using Corners = std::vector<std::uint32_t>;  // by number
 
   [[nodiscard]] std::array<PointId, 2> names(FacetName facet) const {
-    const auto name = [this](VertexIndex v) { return all_.diagram.points().name(faces_.delaunay().ordinals[v]); };
+    const auto name = [this](VertexIndex v) {
+      return all_.diagram.points().name(faces_.diagram().delaunay().ordinals[v]);
+    };
     return {std::min(name(facet.v0), name(facet.v1)), std::max(name(facet.v0), name(facet.v1))};
   }
   void add_intervals(PolygonRef polygon, const std::vector<TracePart>& parts, std::vector<EdgePart<>>& to);
@@ -135,7 +137,7 @@ void UnstableSurfaces::Parts::Worker::add_rounded(const EdgeParts& edge, Rounded
   const auto add = [&](Kind kind, const TracePart& part) {
     const std::uint32_t from = corners_.number(edge.polygon, part.from), end = corners_.number(edge.polygon, part.to);
     Corners corners = {from};
-    if (faces_.dimension() == 2) corners.push_back(corners_.number(corners_.middle_of_line(edge.polygon)));
+    if (faces_.diagram().dimension() == 2) corners.push_back(corners_.number(corners_.middle_of_line(edge.polygon)));
     if (end != from) corners.push_back(end);
     to.push_back({kind, samples, std::move(corners)});
   };
@@ -145,12 +147,12 @@ void UnstableSurfaces::Parts::Worker::add_rounded(const EdgeParts& edge, Rounded
 
 // Where P spans a plane, the facet is between two lines, or beyond one of them. It is cut in two, across the lines.
 std::vector<UnstableSurfaces::Parts::Worker::Corners> UnstableSurfaces::Parts::Worker::whole_facet(FacetName facet) {
-  const auto at = [this](VertexIndex v) { return exact_position(faces_.point(v)); };
+  const auto at = [this](VertexIndex v) { return exact_position(faces_.diagram().point(v)); };
   const auto direction = [this](const Rational& sign, const RationalPoint& u) {
     return corners_.number(Corner<>{as_direction(sign * u), true});
   };
   const RationalPoint p0 = at(facet.v0), p1 = at(facet.v1), along = p1 - p0;
-  if (faces_.dimension() == 1) {
+  if (faces_.diagram().dimension() == 1) {
     const std::uint32_t m = corners_.number(Corner<>{Rational(1, 2) * (p0 + p1)});
     RationalPoint u{0, along[2], -along[1]};
     if (is_zero(u)) u = {-along[2], 0, along[0]};
@@ -186,7 +188,8 @@ void UnstableSurfaces::Parts::Worker::add_rounded(const SheetParts& sheet, bool 
   for (const SurfaceEnd& end : sheet.corners) regions.front().push_back(corners_.number(end));
   // The walk goes around any sheet but its first one clockwise, seen from v1.
   const bool is_clockwise = !sheet.corners.empty() && !is_root;
-  const bool is_seen_from_v0 = all_.diagram.points().name(faces_.delaunay().ordinals[sheet.facet.v0]) == samples[1];
+  const bool is_seen_from_v0 =
+      all_.diagram.points().name(faces_.diagram().delaunay().ordinals[sheet.facet.v0]) == samples[1];
   for (Corners& corners : regions) {
     if (is_clockwise != is_seen_from_v0) std::ranges::reverse(corners);
     to.push_back({RoundedUnstableSurface::Kind::kSheet, {samples[0], samples[1]}, std::move(corners)});

@@ -23,7 +23,7 @@ constexpr std::size_t kRecords = 512;
 FlowComplexOptions options_for(std::size_t points, unsigned threads, bool unlimited) {
   return {.flow = {},
           .threads = threads == 0 ? geometry::all_cores() : threads,
-          .most_cells = unlimited ? Delaunay::kAnyNumber : usual_most_cells(points)};
+          .most_cells = unlimited ? kAnyNumberOfCells : usual_most_cells(points)};
 }
 
 StationaryRecord record_of(StationaryIndex index, const RoundedSphere& sphere) {

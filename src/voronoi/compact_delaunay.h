@@ -18,8 +18,8 @@
 #include <vector>
 
 #include "flowcert/point_set.h"
-#include "flowcert/voronoi_diagram.h"
 #include "geometry/keep_unique.h"
+#include "voronoi/delaunay.h"
 #include "voronoi/layer.h"
 
 namespace flowcert::voronoi {

@@ -4,6 +4,8 @@
 // system. What std::nth_element may leave in any order C++ libraries order differently; CGAL's own is the same
 // everywhere.
 #define CGAL_HILBERT_SORT_WITH_MEDIAN_POLICY_CROSS_PLATFORM_BEHAVIOR
+#include "voronoi/delaunay.h"
+
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
@@ -16,7 +18,6 @@
 #include <numeric>
 #include <vector>
 
-#include "flowcert/voronoi_diagram.h"
 #include "geometry/floating_point.h"
 #include "geometry/portions.h"
 #include "voronoi/compact_delaunay.h"

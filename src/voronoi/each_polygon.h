@@ -6,13 +6,13 @@
 
 #include <cstdint>
 
-#include "voronoi/diagram.h"
+#include "voronoi/voronoi_diagram.h"
 
 namespace flowcert::voronoi {
 
 // Calls use(polygon).
 template <class Use>
-void for_each_polygon(const Diagram& diagram, const Use& use) {
+void for_each_polygon(const VoronoiDiagram& diagram, const Use& use) {
   if (diagram.dimension() < 2) return;
   const VoronoiComplex* spatial = diagram.spatial();
   for (CellIndex cell = 0; cell < diagram.delaunay().finite_count; ++cell) {

@@ -1,3 +1,4 @@
+// A ring is read off the cells around its Delaunay edge, whose number each of them keeps.
 #include "voronoi/voronoi_faces.h"
 
 #include <algorithm>
@@ -8,21 +9,185 @@
 
 namespace flowcert::voronoi {
 
-// ---- Facets.
+// ---- Rings
+
+namespace {
+
+// Rings up to this size are searched from end to end.
+constexpr std::size_t kSmallRing = 16;
+
+}  // namespace
 
 FacetRing VoronoiFaces::ring(FacetName facet, CellIndex hint) {
-  if (dimension() < 2) return {kNoRing, facet, {}};
-  return rings_.ring(facet, cell_with(facet, hint));
+  if (diagram_.dimension() < 2) return {kNoRing, facet, {}};
+  return ring(number_of(facet, cell_with(facet, hint)));
 }
 
-// ---- Finding faces.
+RingNumber VoronoiFaces::number_of(FacetName facet, CellIndex cell) {
+  FLOWCERT_REQUIRES(facet.v0 < facet.v1 && diagram_.dimension() >= 2 && diagram_.delaunay().is_finite(cell));
+  if (number_at_.empty()) {
+    std::array<RingNumber, 6> none{};
+    none.fill(kNoRing);
+    number_at_.assign(diagram_.delaunay().finite_count, none);
+    // Room for all rings that there can be. Memory that is not used is not taken.
+    const std::size_t incidences = 6 * diagram_.delaunay().cells.size();
+    pieces_.reserve(incidences + incidences / 3);
+    place_.reserve(incidences + incidences / 3);
+  }
+  const RingNumber id = number_at(cell, facet);
+  return id != kNoRing ? id : add_ring(facet, cell);
+}
+
+RingNumber VoronoiFaces::add_ring(FacetName facet, CellIndex cell) {
+  const auto id = static_cast<RingNumber>(pieces_.size());
+  pieces_.push_back({facet.v0, facet.v1, 0, kNoNote});
+  diagram_.spatial() != nullptr ? add_spatial_pieces(facet, cell, id) : add_planar_pieces(facet, cell, id);
+  const auto count = static_cast<std::uint32_t>(pieces_.size() - id - 1);
+  pieces_[id].packed = count;
+  place_.resize(pieces_.size());
+  for (std::uint32_t k = 0; k < count; ++k) {
+    place_[id + 1 + k] = static_cast<std::uint8_t>(std::min<std::uint32_t>(k, kFar));
+  }
+  if (count > kSmallRing) sort_large_ring(ring(id));
+  return id;
+}
+
+// Adds the passage to a polygon, through a Voronoi vertex or over a piece at infinity, and the polygon.
+void VoronoiFaces::add_piece(CellIndex vertex_before, PolygonRef polygon, VertexIndex apex) {
+  if (vertex_before == kNoCell) pieces_.push_back({kInfiniteVertex, kNoCell});
+  pieces_.push_back({apex, vertex_before, polygon.packed()});
+}
+
+// Goes around v0 v1, counterclockwise seen from v1. In a positively oriented cell v0 v1 k l it goes from the facet
+// that has k to the one that has l. A facet inside a cluster, or between two infinite cells, bounds nothing.
+void VoronoiFaces::add_spatial_pieces(FacetName facet, CellIndex start, RingNumber id) {
+  const CompactDelaunay& delaunay = diagram_.delaunay();
+  const VoronoiComplex& complex = diagram_.complex();
+  const auto& v = delaunay.vertices(start);
+  const unsigned i0 = place_among(v, facet.v0), i1 = place_among(v, facet.v1);
+  // v0 v1 k l is positive iff v0 v1 l is the outward order of the facet opposite k.
+  unsigned k = 0, l = 0;
+  for (k = 0; k < 4; ++k) {
+    if (k == i0 || k == i1) continue;
+    l = 6 - i0 - i1 - k;
+    const auto& order = kOutward[k];
+    const auto at = static_cast<unsigned>(std::find(order, order + 3, l) - order);
+    if (order[(at + 1) % 3] == i0) break;
+  }
+  // Where the four samples are in the cell: v0, v1, the one behind which the next cell lies, and the apex.
+  struct Places {
+    unsigned v0, v1, behind, apex;
+  };
+  const bool is_plain = complex.is_plain();
+  CellIndex cell = start;
+  bool here = delaunay.is_finite(cell);
+  Places at{i0, i1, k, l};
+  do {
+    const auto& [vertices, neighbors] = delaunay.cells[cell];
+    const VertexIndex apex = vertices[at.apex];
+    const CellIndex next = neighbors[at.behind];
+    const PlacesBeyond beyond = complex.places_beyond({cell, at.behind});
+    const Places at_next{beyond[at.v0], beyond[at.v1], beyond[at.apex], beyond[at.behind]};
+    __builtin_prefetch(&delaunay.cells[delaunay.cells[next].neighbors[at_next.behind]]);
+    const bool there = delaunay.is_finite(next);
+    if (here) number_at_[cell][kEdgeBetween[at.v0][at.v1]] = id;
+    if (here && there && is_plain) {
+      // No face is merged, so that the faces are those of the triangulation.
+      pieces_.push_back(
+          {apex, cell, (next < cell ? PolygonRef{next, at_next.apex} : PolygonRef{cell, at.behind}).packed()});
+    } else if ((here || there) && !(here && there && complex.cluster(cell) == complex.cluster(next))) {
+      add_piece(here ? complex.cluster(cell) : kNoCell, diagram_.polygon({cell, at.behind}), apex);
+    }
+    at = at_next;
+    here = there;
+    cell = next;
+  } while (cell != start);
+}
+
+// The facet is a slab between two lines, or a half plane beside one. Each line comes from infinity and goes there.
+void VoronoiFaces::add_planar_pieces(FacetName facet, CellIndex cell, RingNumber id) {
+  const CompactDelaunay& delaunay = diagram_.delaunay();
+  const auto& v = delaunay.vertices(cell);
+  std::uint32_t i = 0;
+  while (v[i] == facet.v0 || v[i] == facet.v1) ++i;
+  number_at(cell, facet) = id;
+  add_piece(kNoCell, diagram_.polygon({cell, 3}), v[i]);
+  const FacetRef across = delaunay.mirror({cell, i});
+  if (!delaunay.is_finite(across.cell)) return;
+  number_at(across.cell, facet) = id;
+  add_piece(kNoCell, diagram_.polygon({across.cell, 3}), delaunay.vertices(across.cell)[across.index]);
+}
+
+void VoronoiFaces::sort_large_ring(const FacetRing& ring) {
+  std::vector<std::uint32_t>& places = sorted_[ring.id];
+  const auto count = static_cast<std::uint32_t>(ring.size());
+  for (int twice = 0; twice < 2; ++twice) {
+    for (std::uint32_t k = 0; k < count; ++k) places.push_back(k);
+  }
+  const auto middle = places.begin() + static_cast<std::ptrdiff_t>(count);
+  std::sort(places.begin(), middle,
+            [&ring](std::uint32_t a, std::uint32_t b) { return ring.pieces[a].packed < ring.pieces[b].packed; });
+  std::sort(middle, places.end(),
+            [&ring](std::uint32_t a, std::uint32_t b) { return ring.pieces[a].vertex < ring.pieces[b].vertex; });
+}
+
+std::size_t VoronoiFaces::piece_of(const FacetRing& ring, PolygonRef polygon) const {
+  return place_of(ring, polygon.packed());
+}
+
+std::size_t VoronoiFaces::place_of(const FacetRing& ring, std::uint32_t packed_polygon) const {
+  FLOWCERT_REQUIRES(std::ranges::count(ring.pieces, packed_polygon, &RingPiece::packed) == 1);
+  if (ring.size() <= kSmallRing) {
+    std::size_t k = 0;
+    while (ring.pieces[k].packed != packed_polygon) ++k;
+    return k;
+  }
+  const auto& places = sorted_.at(ring.id);
+  return *std::lower_bound(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(ring.size()), packed_polygon,
+                           [&ring](std::uint32_t k, std::uint32_t value) { return ring.pieces[k].packed < value; });
+}
+
+std::size_t VoronoiFaces::element_of(const FacetRing& ring, CellIndex cluster) const {
+  FLOWCERT_REQUIRES(std::ranges::count(ring.pieces, cluster, &RingPiece::vertex) == 1);
+  if (ring.size() <= kSmallRing) {
+    std::size_t k = 0;
+    while (ring.pieces[k].vertex != cluster) ++k;
+    return k;
+  }
+  const auto& places = sorted_.at(ring.id);
+  return *std::lower_bound(places.begin() + static_cast<std::ptrdiff_t>(ring.size()), places.end(), cluster,
+                           [&ring](std::uint32_t k, CellIndex value) { return ring.pieces[k].vertex < value; });
+}
+
+// It may lay out another ring.
+RingNumber VoronoiFaces::find_next(RingNumber id, std::size_t k) {
+  const PolygonRef polygon = pieces_[id + 1 + k].polygon();
+  const PolygonDriver driver = diagram_.driver(polygon);
+  RingNumber next = RingLink::kAlongEdge;
+  if (driver.shape == Sign::kNegative) {
+    const FacetRing other = ring(number_of(driver.side, diagram_.cell_of_side(polygon, driver.side)));
+    next = other.id + 1 + static_cast<RingNumber>(piece_of(other, polygon));
+  }
+  pieces_[id + 1 + k].next = next;
+  return next;
+}
+
+// To a piece of a ring so large that its place is not kept beside it.
+RingLink VoronoiFaces::link_to_far(RingNumber id, std::size_t k) {
+  const PolygonRef polygon = pieces_[id + 1 + k].polygon();
+  const FacetName side = diagram_.driver(polygon).side;
+  const FacetRing other = ring(number_of(side, diagram_.cell_of_side(polygon, side)));
+  return {other.id, static_cast<std::uint32_t>(piece_of(other, polygon))};
+}
+
+// ---- Location
 
 // All cells that have p, the infinite ones too; valid until the next star. A cell that was seen bears the number of
 // its star, because looking cells up in a set took most of the time.
 template <class IsWanted>
 std::span<const CellIndex> VoronoiFaces::star_until(VertexIndex p, const IsWanted& is_wanted) {
-  const CompactDelaunay& cells = delaunay();
-  const auto corners = static_cast<unsigned>(dimension()) + 1;
+  const CompactDelaunay& cells = diagram_.delaunay();
+  const auto corners = static_cast<unsigned>(diagram_.dimension()) + 1;
   if (seen_in_star_.empty()) {
     cell_of_.assign(cells.points.size(), kNoCell);
     for (CellIndex cell = 0; cell < cells.finite_count; ++cell) {
@@ -52,16 +217,18 @@ std::span<const CellIndex> VoronoiFaces::star(VertexIndex p) {
 
 // Finds a finite cell that has both ends of the edge; there must be one.
 CellIndex VoronoiFaces::cell_with(FacetName facet, CellIndex hint) {
-  const auto has_both = [&](CellIndex cell) { return delaunay().is_finite(cell) && diagram_.has_edge(cell, facet); };
+  const auto has_both = [&](CellIndex cell) {
+    return diagram_.delaunay().is_finite(cell) && diagram_.has_edge(cell, facet);
+  };
   if (hint != kNoCell && has_both(hint)) return hint;
   return star_until(facet.v0, has_both).front();
 }
 
 std::vector<VertexIndex> VoronoiFaces::neighbors(VertexIndex p) {
   std::vector<VertexIndex> found;
-  if (dimension() < 1) return found;
+  if (diagram_.dimension() < 1) return found;
   for (const CellIndex cell : star(p)) {
-    for (const VertexIndex v : delaunay().vertices(cell)) {
+    for (const VertexIndex v : diagram_.delaunay().vertices(cell)) {
       if (v != p && v != kInfiniteVertex) found.push_back(v);
     }
   }
@@ -75,11 +242,11 @@ Place VoronoiFaces::place_of(VertexIndex p, std::span<const VertexIndex> others)
   const auto is_contact = [&](VertexIndex v) {
     return v == p || std::find(others.begin(), others.end(), v) != others.end();
   };
-  const auto corners = static_cast<unsigned>(dimension()) + 1;
+  const auto corners = static_cast<unsigned>(diagram_.dimension()) + 1;
   Place edge;
   for (const CellIndex cell : star(p)) {
-    if (!delaunay().is_finite(cell)) continue;
-    const auto& v = delaunay().vertices(cell);
+    if (!diagram_.delaunay().is_finite(cell)) continue;
+    const auto& v = diagram_.delaunay().vertices(cell);
     unsigned missing = 0, count = 0;
     for (unsigned i = 0; i < corners; ++i) {
       if (is_contact(v[i])) {
@@ -88,9 +255,9 @@ Place VoronoiFaces::place_of(VertexIndex p, std::span<const VertexIndex> others)
         missing = i;
       }
     }
-    if (count == 4) return Place::at_vertex(complex().cluster(cell));
+    if (count == 4) return Place::at_vertex(diagram_.complex().cluster(cell));
     if (count == 3 && edge.kind == Place::Kind::kInfinity) {
-      edge = Place::on_edge(polygon({cell, dimension() == 2 ? 3 : missing}));
+      edge = Place::on_edge(diagram_.polygon({cell, diagram_.dimension() == 2 ? 3 : missing}));
     }
   }
   return edge;
@@ -99,7 +266,7 @@ Place VoronoiFaces::place_of(VertexIndex p, std::span<const VertexIndex> others)
 // A sample that is not the nearest has a Delaunay neighbour that is nearer. The samples at the least distance are all
 // vertices of one Delaunay polytope, whose edges connect them.
 Place VoronoiFaces::locate(const RationalPoint& x, std::optional<VertexIndex> hint) {
-  FLOWCERT_REQUIRES(!delaunay().points.empty());
+  FLOWCERT_REQUIRES(!diagram_.delaunay().points.empty());
   VertexIndex& nearest = located_;
   nearest = hint.value_or(nearest);
   const geometry::DistanceOrder order(x);
@@ -108,7 +275,7 @@ Place VoronoiFaces::locate(const RationalPoint& x, std::optional<VertexIndex> hi
     moved = false;
     others.clear();
     for (const VertexIndex v : neighbors(nearest)) {
-      const Sign farther = order.compare(point(v), point(nearest));
+      const Sign farther = order.compare(diagram_.point(v), diagram_.point(nearest));
       if (farther == Sign::kZero) others.push_back(v);
       if (farther != Sign::kNegative) continue;
       nearest = v;

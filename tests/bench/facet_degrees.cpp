@@ -66,8 +66,8 @@ struct Subject {
   Subject(const fuzz::Input& input, ConstructionKernel kernel)
       : points(property::point_set_of(input)), diagram(Delaunay(points)), faces(diagram) {
     VertexIndex v[2] = {0, 0};
-    for (VertexIndex k = 0; k < faces.delaunay().ordinals.size(); ++k) {
-      if (faces.delaunay().ordinals[k] < 2) v[faces.delaunay().ordinals[k]] = k;
+    for (VertexIndex k = 0; k < faces.diagram().delaunay().ordinals.size(); ++k) {
+      if (faces.diagram().delaunay().ordinals[k] < 2) v[faces.diagram().delaunay().ordinals[k]] = k;
     }
     name = {std::min(v[0], v[1]), std::max(v[0], v[1])};
     ring = faces.ring(name);
@@ -95,7 +95,7 @@ RationalPoint between(const RationalPoint& a, const RationalPoint& b, int part, 
 }
 
 bool enters_here(Subject& subject, std::size_t piece) {
-  const PolygonDriver driver = subject.faces.driver(subject.ring.pieces[piece].polygon());
+  const PolygonDriver driver = subject.faces.diagram().driver(subject.ring.pieces[piece].polygon());
   return driver.shape == Sign::kNegative && driver.side == subject.name;
 }
 
@@ -117,7 +117,7 @@ std::vector<Start> draw(Subject& subject, char kind, std::mt19937& random) {
     const auto part = static_cast<int>(random() % 99) + 1;
     const RationalPoint a = subject.vertex(k);
     if (kind == 'V') {
-      const VertexFlow flow = vertex_flow(subject.diagram.faces(), subject.ring.pieces[k].vertex);
+      const VertexFlow flow = vertex_flow(subject.diagram, subject.ring.pieces[k].vertex);
       if (flow.way == VertexFlow::Way::kAcrossFacet && flow.facet == subject.name) {
         starts.push_back({Place::at_vertex(subject.ring.pieces[k].vertex), a});
       }

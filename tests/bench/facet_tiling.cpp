@@ -91,7 +91,7 @@ class Positions {
   using Vector = Vector3<Number>;
 
  public:
-  Positions(const Diagram& diagram, const LimitPartition& partition) : diagram_(diagram), partition_(partition) {
+  Positions(const VoronoiDiagram& diagram, const LimitPartition& partition) : diagram_(diagram), partition_(partition) {
     for (const Point& p : diagram.delaunay().points) samples_.push_back({Number(p.x), Number(p.y), Number(p.z)});
     for (PointOfDivision number = 0; number < partition.point_count(); ++number) {
       const DivisionPoint& point = partition.point(number);
@@ -143,7 +143,7 @@ class Positions {
     return near.num / near.den;
   }
 
-  const Diagram& diagram_;
+  const VoronoiDiagram& diagram_;
   const LimitPartition& partition_;
   std::vector<Vector> samples_;
   std::vector<Number> parameters_;
@@ -171,7 +171,7 @@ class Sums {
 
  public:
   Sums(const FlowComplex& complex)
-      : diagram_(complex.diagram().faces()),
+      : diagram_(complex.diagram()),
         partition_(complex.limits().partition()),
         faces_(complex.diagram()),
         positions_(diagram_, partition_),
@@ -265,7 +265,7 @@ class Sums {
     }
   }
 
-  const Diagram& diagram_;
+  const VoronoiDiagram& diagram_;
   const LimitPartition& partition_;
   VoronoiFaces faces_;
   Positions<Number> positions_;
@@ -283,7 +283,7 @@ bool is_right(const std::string& how, const Outcome& o) {
 
 int run(const std::string& path, bool exactly) {
   const FlowComplex complex{PointSet(read_points(path).rows)};
-  if (complex.diagram().dimension() < 3) throw std::runtime_error("the points do not span space");
+  if (complex.dimension() < 3) throw std::runtime_error("the points do not span space");
   if (exactly) return is_right("exactly", Sums<Rational>(complex).run()) ? 0 : 1;
   bool all_right = true;
   for (const std::uint64_t next : {2305843009213693951u, 2305843009213693921u, 2305843009213693907u}) {

@@ -40,7 +40,7 @@ double median(std::vector<double> values) {
 }
 
 std::vector<Point> drawn_from_hull(const FlowComplex& complex) {
-  const auto& faces = complex.diagram().faces();
+  const auto& faces = complex.diagram();
   std::vector<double> volumes;
   for (CellIndex cell = 0; cell < faces.delaunay().finite_count; ++cell) {
     const auto& v = faces.delaunay().vertices(cell);

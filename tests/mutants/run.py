@@ -52,7 +52,7 @@ LIKELY = {
                       "orbit_cascades_test"],
     "src/voronoi/voronoi_complex": ["voronoi_complex_test"],
     "src/voronoi/voronoi_faces": ["voronoi_faces_test"],
-    "src/voronoi/diagram": ["voronoi_faces_test"],
+    "src/voronoi/voronoi_diagram": ["voronoi_faces_test"],
     "src/flow/flow_statistics": ["flow_operator_test"],
     "src/flow/kernels/crossing_sphere": ["crossing_sphere_test"],
     "src/flow/rounded_stretches": ["rounded_manifolds_test"],

@@ -96,7 +96,7 @@ void require_cut(const fuzz::Input& input, const FlowComplex& complex, const Rat
     }
     require_none(input, is_on_side(point(places.size() - 1), box) ? "" : "the cut is inside the box", "");
     ++(places.size() > before.size() ? seen.in_last : places.size() > 1 ? seen.before_last : seen.at_start);
-    seen.flat += complex.diagram().dimension() == 2 ? 1 : 0;
+    seen.flat += complex.dimension() == 2 ? 1 : 0;
     // The next point would be beyond the box.
     const bool is_kept =
         places.size() <= before.size() && point(places.size() - 1) == whole.points[before[places.size() - 1]];

@@ -61,7 +61,7 @@ void require_right_set(const Subject& subject, Totals& totals) {
   require_same(set_by(ConstructionKernel::kLazy, FacetSearch::kBinary), "the lazy kernel's");
   require_same(set_by(ConstructionKernel::kExact, FacetSearch::kLinear), "the exact kernel's");
   totals.add(fast);
-  totals.flat += subject.complex.diagram().dimension() < 3 ? 1 : 0;
+  totals.flat += subject.complex.dimension() < 3 ? 1 : 0;
 }
 
 void add(Totals& sum, const Totals& part) {

@@ -186,7 +186,7 @@ void require_right_sets(const Subject& subject, Totals& totals) {
     RC_ASSERT(exact.set(i) == fast);
     RC_ASSERT(cascade.size_of(i) == (UnstableSurfaceSize{fast.vertices.size(), fast.traces.size(), fast.runs.size(),
                                                          fast.sheets.size(), fast.segments.size()}));
-    if (subject.complex.diagram().dimension() == 3) {
+    if (subject.complex.dimension() == 3) {
       require_same_in_doubles(subject.complex.points(), fast, cascade.rounded_set(i));
       ++totals.in_doubles;
     }

@@ -66,7 +66,7 @@ void expect_right_points(const LimitPartition& partition, const BoundedDivisions
 }
 
 // Of the cells of the triangulation.
-void expect_right_volumes(const Diagram& diagram, const BoundedDivisions& bounded, Count& count) {
+void expect_right_volumes(const VoronoiDiagram& diagram, const BoundedDivisions& bounded, Count& count) {
   for (CellIndex cell = 0; cell < diagram.delaunay().finite_count; ++cell) {
     const auto& v = diagram.delaunay().vertices(cell);
     const auto at = [&](std::size_t k) {
@@ -86,7 +86,7 @@ TEST(BoundedDivisions, BoundsHoldTheExactNumbers) {
   for (int k = 0; k < 240; ++k) {
     const int thinness = random.between(0, 26), unit = random.between(-300, 300);
     const FlowComplex complex(plate(30, thinness, unit, random));
-    const Diagram& diagram = complex.diagram().faces();
+    const VoronoiDiagram& diagram = complex.diagram();
     const LimitPartition& partition = complex.limits().partition();
     const BoundedDivisions bounded(diagram, partition);
     ExactDivisions exact(diagram, partition);
@@ -116,8 +116,8 @@ TEST(BoundedDivisions, LargePolygonsAreLeftOpen) {
     for (int other = 0; other < 8; ++other) rows.push_back({coordinate(9), coordinate(9), coordinate(9)});
     const FlowComplex complex(rows);
     const LimitPartition& partition = complex.limits().partition();
-    const BoundedDivisions bounded(complex.diagram().faces(), partition);
-    ExactDivisions exact(complex.diagram().faces(), partition);
+    const BoundedDivisions bounded(complex.diagram(), partition);
+    ExactDivisions exact(complex.diagram(), partition);
     expect_right_points(partition, bounded, exact, count);
   }
   EXPECT_GT(count.open, 5U);

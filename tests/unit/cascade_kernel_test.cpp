@@ -64,15 +64,15 @@ class WatchedFlows {
   // Against the flow, over the facets that lead to each critical point of index 2, as far as Voronoi vertices or some
   // hundred steps.
   void walk_back() {
-    const std::vector<VertexIndex> vertex_of = vertices_by_ordinal(faces_.delaunay());
+    const std::vector<VertexIndex> vertex_of = vertices_by_ordinal(faces_.diagram().delaunay());
     const morse::GabrielEdges gabriel(points_, complex_.stationary(), vertex_of);
     morse::BackwardWalk walk(faces_, flow_, gabriel);
     for_each_saddle([&](PolygonRef polygon) {
-      std::vector<morse::FrontNumber> fronts = {walk.at_center(faces_.corners(polygon), polygon)};
+      std::vector<morse::FrontNumber> fronts = {walk.at_center(faces_.diagram().corners(polygon), polygon)};
       for (std::size_t k = 0; k < fronts.size() && k < 100; ++k) {
         const Place place = walk.place(fronts[k]);
         if (place.kind != Place::Kind::kEdge) continue;
-        for (const PolygonSide& side : faces_.sides(place.edge)) {
+        for (const PolygonSide& side : faces_.diagram().sides(place.edge)) {
           if (side.angle != Sign::kPositive) continue;
           const auto back = walk.step(fronts[k], {side.v0, side.v1});
           if (!back.critical) fronts.push_back(back.front);
@@ -85,7 +85,7 @@ class WatchedFlows {
  private:
   void for_each_saddle(const std::function<void(PolygonRef)>& visit) {
     const StationaryPoints& stationary = complex_.stationary();
-    const std::vector<VertexIndex> vertex_of = vertices_by_ordinal(faces_.delaunay());
+    const std::vector<VertexIndex> vertex_of = vertices_by_ordinal(faces_.diagram().delaunay());
     for (std::size_t record = 0; record < stationary.size(); ++record) {
       if (stationary.index(record) != StationaryIndex{2, 2}) continue;
       std::vector<VertexIndex> contact;

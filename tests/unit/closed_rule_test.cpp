@@ -15,7 +15,7 @@
 #include "fuzz/properties/input_points.h"
 #include "tests/cites.h"
 #include "tests/unit/read_out_complex.h"
-#include "voronoi/diagram.h"
+#include "voronoi/voronoi_diagram.h"
 
 namespace flowcert::closed_rule_test {
 
@@ -85,8 +85,7 @@ void check_closed_rule(const std::vector<Point>& rows, int dimension, KindsSeen&
   if (delaunay.dimension() != dimension) return;
   const VoronoiDiagram diagram(delaunay);
   const StationaryPoints strict = stationary_points(diagram);
-  const Counts closed =
-      dimension == 3 ? closed_counts(diagram.faces().complex()) : closed_counts(*diagram.faces().planar());
+  const Counts closed = dimension == 3 ? closed_counts(diagram.complex()) : closed_counts(*diagram.planar());
   const auto& counts = strict.critical_counts();
   const RegularCounts regular = strict.regular_counts();
   const std::array<std::size_t, 3> by_kind = {regular.kind12, regular.kind23, regular.kind13};

@@ -49,8 +49,8 @@ TEST(LazyKernel, IntervalsDecideWhereNothingIsDegenerate) {
 // The decagon's facet.
 FacetName facet_of_rows_0_and_1(const VoronoiFaces& faces) {
   std::array<VertexIndex, 2> v{};
-  for (VertexIndex k = 0; k < faces.delaunay().ordinals.size(); ++k) {
-    if (faces.delaunay().ordinals[k] < 2) v[faces.delaunay().ordinals[k]] = k;
+  for (VertexIndex k = 0; k < faces.diagram().delaunay().ordinals.size(); ++k) {
+    if (faces.diagram().delaunay().ordinals[k] < 2) v[faces.diagram().delaunay().ordinals[k]] = k;
   }
   return {std::min(v[0], v[1]), std::max(v[0], v[1])};
 }

@@ -352,9 +352,9 @@ TEST(Delaunay, HasNoMoreCellsThanItMay) {
     rows.push_back({6, k - 6 + 0.01 * (k % 5), 6});
   }
   const PointSet set(rows);
-  const std::size_t cells = VoronoiDiagram(Delaunay(set)).delaunay_cells();
+  const std::size_t cells = VoronoiDiagram(Delaunay(set)).delaunay().cells.size();
   EXPECT_GE(cells, 11U * 11U);
-  EXPECT_EQ(VoronoiDiagram(Delaunay(set, {}, cells)).delaunay_cells(), cells);
+  EXPECT_EQ(VoronoiDiagram(Delaunay(set, {}, cells)).delaunay().cells.size(), cells);
   EXPECT_THROW((void)Delaunay(set, {}, cells - 1), InvalidInput);
 }
 

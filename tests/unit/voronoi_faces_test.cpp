@@ -31,18 +31,21 @@ struct Subject {
   explicit Subject(const fuzz::Input& input)
       : points(property::point_set_of(input)), diagram(Delaunay(points)), faces(diagram) {}
 
-  [[nodiscard]] RationalPoint at(VertexIndex v) const { return exactly(faces.point(v)); }
+  [[nodiscard]] RationalPoint at(VertexIndex v) const { return exactly(faces.diagram().point(v)); }
   [[nodiscard]] RationalPoint center(CellIndex cluster) const {
-    const auto& v = faces.delaunay().vertices(cluster);
+    const auto& v = faces.diagram().delaunay().vertices(cluster);
     return flowcert_tests::circumcenter(at(v[0]), at(v[1]), at(v[2]), at(v[3]));
   }
   // The sides of all polygons.
   [[nodiscard]] std::vector<FacetName> facets() const {
     std::set<std::pair<VertexIndex, VertexIndex>> names;
-    for (CellIndex cell = 0; cell < faces.delaunay().finite_count; ++cell) {
-      for (std::uint32_t i = faces.dimension() == 2 ? 3 : 0; i < 4; ++i) {
-        if (faces.dimension() == 3 && faces.complex().role({cell, i}) == VoronoiComplex::FacetRole::kInterior) continue;
-        for (const PolygonSide& side : faces.sides(faces.polygon({cell, i}))) names.emplace(side.v0, side.v1);
+    for (CellIndex cell = 0; cell < faces.diagram().delaunay().finite_count; ++cell) {
+      for (std::uint32_t i = faces.diagram().dimension() == 2 ? 3 : 0; i < 4; ++i) {
+        if (faces.diagram().dimension() == 3 &&
+            faces.diagram().complex().role({cell, i}) == VoronoiComplex::FacetRole::kInterior)
+          continue;
+        for (const PolygonSide& side : faces.diagram().sides(faces.diagram().polygon({cell, i})))
+          names.emplace(side.v0, side.v1);
       }
     }
     std::vector<FacetName> facets;
@@ -72,13 +75,13 @@ void expect_piece_is_an_edge(const Subject& diagram, const FacetRing& ring, Face
   const bool is_gap = from.vertex == kNoCell && to.vertex == kNoCell && from.factor == 1 && to.factor == -1;
   ASSERT_EQ(!piece.is_finite(), is_gap);
   if (is_gap) return;
-  const auto contact = diagram.faces.contact(Place::on_edge(piece.polygon()));
+  const auto contact = diagram.faces.diagram().contact(Place::on_edge(piece.polygon()));
   for (const VertexIndex v : {name.v0, name.v1, piece.apex}) {
     EXPECT_TRUE(std::find(contact.begin(), contact.end(), v) != contact.end());
   }
   // The edge's two ends are the elements beside the piece, in either order.
   std::multiset<CellIndex> ends, beside{from.vertex, to.vertex};
-  for (const std::size_t side : {0U, 1U}) ends.insert(diagram.faces.end(piece.polygon(), side));
+  for (const std::size_t side : {0U, 1U}) ends.insert(diagram.faces.diagram().end(piece.polygon(), side));
   EXPECT_EQ(ends, beside);
   if (from.vertex != kNoCell && to.vertex != kNoCell) {
     const RationalPoint step = minus(diagram.center(to.vertex), diagram.center(from.vertex));
@@ -105,26 +108,26 @@ void expect_convex(const Subject& diagram, const FacetRing& ring, FacetName name
 void expect_lookups(const Subject& diagram, const FacetRing& ring) {
   for (std::size_t k = 0; k < ring.pieces.size(); ++k) {
     if (ring.pieces[k].is_finite()) {
-      EXPECT_EQ(diagram.faces.rings().piece_of(ring, ring.pieces[k].polygon()), k);
+      EXPECT_EQ(diagram.faces.piece_of(ring, ring.pieces[k].polygon()), k);
     }
     if (ring.pieces[k].vertex != kNoCell) {
-      EXPECT_EQ(diagram.faces.rings().element_of(ring, ring.pieces[k].vertex), k);
+      EXPECT_EQ(diagram.faces.element_of(ring, ring.pieces[k].vertex), k);
     }
   }
 }
 
 // A link leads to the same Voronoi edge in the ring of the polygon's obtuse side, asked for the first time or again.
 void expect_links(Subject& diagram, RingNumber id) {
-  FacetRings& rings = diagram.faces.rings();
-  for (std::size_t k = 0; k < rings.at(id).size(); ++k) {
-    const RingPiece piece = rings.at(id).pieces[k];
+  VoronoiFaces& rings = diagram.faces;
+  for (std::size_t k = 0; k < rings.ring(id).size(); ++k) {
+    const RingPiece piece = rings.ring(id).pieces[k];
     if (!piece.is_finite()) continue;
-    const PolygonDriver driver = diagram.faces.driver(piece.polygon());
+    const PolygonDriver driver = diagram.faces.diagram().driver(piece.polygon());
     for (int twice = 0; twice < 2; ++twice) {
       const RingLink link = rings.link(id, k);
       ASSERT_EQ(link.ring == RingLink::kAlongEdge, driver.shape != Sign::kNegative);
       if (link.ring == RingLink::kAlongEdge) continue;
-      const FacetRing next = rings.at(link.ring);
+      const FacetRing next = rings.ring(link.ring);
       EXPECT_EQ(next.facet, driver.side);
       EXPECT_EQ(next.pieces[link.place].polygon(), piece.polygon());
       EXPECT_EQ(next.pieces.data(), diagram.faces.ring(driver.side).pieces.data());
@@ -140,7 +143,7 @@ TEST(VoronoiFaces, RingsAreConvexPolygonsWithoutDuplicates) {
       const fuzz::Input input = fuzz::draw(family, seed, static_cast<int>(20 + 4 * seed));
       if (input.rows.empty()) continue;
       Subject diagram(input);
-      if (diagram.faces.dimension() < 2) continue;
+      if (diagram.faces.diagram().dimension() < 2) continue;
       for (const FacetName name : diagram.facets()) {
         const FacetRing ring = diagram.faces.ring(name);
         std::set<CellIndex> vertices;
@@ -149,7 +152,7 @@ TEST(VoronoiFaces, RingsAreConvexPolygonsWithoutDuplicates) {
           if (piece.vertex == kNoCell) continue;
           vertices.insert(piece.vertex);
           ++finite;
-          merged += diagram.faces.complex().is_alone(piece.vertex) ? 0 : 1;
+          merged += diagram.faces.diagram().complex().is_alone(piece.vertex) ? 0 : 1;
         }
         EXPECT_EQ(vertices.size(), finite) << "a Voronoi vertex twice in one ring";
         for (std::size_t k = 0; k < ring.pieces.size(); ++k) expect_piece_is_an_edge(diagram, ring, name, k);
@@ -192,7 +195,7 @@ TEST(VoronoiFaces, APositionIsFoundFromEveryHint) {
   std::set<Place::Kind> kinds;
   for (std::size_t number = 0; number < 40; ++number) {
     Subject diagram(fuzz::input_of_case(run, number));
-    const auto samples = static_cast<VertexIndex>(diagram.faces.delaunay().points.size());
+    const auto samples = static_cast<VertexIndex>(diagram.faces.diagram().delaunay().points.size());
     if (samples < 2) continue;
     for (VertexIndex v = 1; v < samples && v < 12; ++v) {
       const RationalPoint p = diagram.at(v - 1), q = diagram.at(v);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "flowcert/flow_statistics.h"
+#include "flowcert/point_set.h"
 #include "flowcert/rational.h"
 #include "flowcert/stationary_index.h"
 #include "flowcert/voronoi_diagram.h"

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -22,6 +23,8 @@
 
 namespace flowcert {
 
+inline constexpr std::size_t kAnyNumberOfCells = std::numeric_limits<std::size_t>::max();
+
 struct FlowComplexOptions {
   FlowOptions flow;
   // Without sharing each orbit of U2 is computed alone, as the paper did (UnstableOptions).
@@ -34,7 +37,7 @@ struct FlowComplexOptions {
   unsigned threads = 1;
   // Where there are more Delaunay cells, making the triangulation throws InvalidInput: points on two skew lines have
   // as many as pairs of points. usual_most_cells() is a limit that no scan and no molecule meets.
-  std::size_t most_cells = Delaunay::kAnyNumber;
+  std::size_t most_cells = kAnyNumberOfCells;
 };
 
 // A hundred cells a point, or two million (a gigabyte).
@@ -79,6 +82,10 @@ class FlowComplex {
   [[nodiscard]] const PointSet& points() const;
   // The options say this number. What is written of a complex is made by as many threads.
   [[nodiscard]] unsigned threads() const;
+  // The dimension of the affine hull of the points: 0 to 3, -1 for no point.
+  [[nodiscard]] int dimension() const;
+  // The triangulation has so many cells, infinite ones as well.
+  [[nodiscard]] std::size_t delaunay_cells() const;
   [[nodiscard]] const VoronoiDiagram& diagram() const;
   // How often the diagram took each predicate.
   [[nodiscard]] const FilterTally& filter_tally() const;

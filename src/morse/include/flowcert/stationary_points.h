@@ -13,6 +13,7 @@
 
 #include "flowcert/exact_sphere.h"
 #include "flowcert/point_set.h"
+#include "flowcert/progress.h"
 #include "flowcert/stationary_index.h"
 #include "flowcert/voronoi_diagram.h"
 

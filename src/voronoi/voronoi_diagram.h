@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-#include "flowcert/voronoi_diagram.h"
+#include "voronoi/delaunay.h"
 #include "voronoi/voronoi_complex.h"
 
 namespace flowcert::voronoi {
@@ -60,13 +60,18 @@ struct PolygonDriver {
   FacetName side;  // where negative
 };
 
-class Diagram {
+class VoronoiDiagram {
  public:
-  // O(cells).
-  Diagram(const Delaunay& delaunay, FilterTally& tally, unsigned threads = 1, const Progress& progress = {});
-  Diagram(const Diagram&) = delete;
-  Diagram& operator=(const Diagram&) = delete;
+  // O(cells), and sorting what is cospherical. The point set must outlive the diagram; the triangulation need not. The
+  // counts are added to the tally, if one is given. Two threads must not use one triangulation here at once, because
+  // this numbers the triangulation's cells. The diagram is the same for any number of threads that make it.
+  explicit VoronoiDiagram(const Delaunay& delaunay, FilterTally* tally = nullptr, unsigned threads = 1,
+                          const Progress& progress = {});
+  VoronoiDiagram(const VoronoiDiagram&) = delete;
+  VoronoiDiagram& operator=(const VoronoiDiagram&) = delete;
 
+  [[nodiscard]] const PointSet& points() const { return *points_; }
+  // Of the affine hull of the points: 0 to 3, -1 for no point.
   [[nodiscard]] int dimension() const { return delaunay_->dimension; }
   [[nodiscard]] const CompactDelaunay& delaunay() const { return *delaunay_; }
   [[nodiscard]] const Point& point(VertexIndex vertex) const { return delaunay_->points[vertex]; }
@@ -99,6 +104,7 @@ class Diagram {
   [[nodiscard]] PolygonSides planar_sides(PolygonRef polygon) const;
   [[nodiscard]] std::span<const FacetRef> large_polygon(PolygonRef polygon) const;
 
+  const PointSet* points_;
   // Collinear inputs and smaller ones need no more than the triangulation.
   std::variant<CompactDelaunay, PlanarComplex, VoronoiComplex> complex_;
   const VoronoiComplex* spatial_;

@@ -1,5 +1,5 @@
 // The faces are read off the merged complexes. A Voronoi edge is named by one of its Delaunay facets.
-#include "voronoi/diagram.h"
+#include "voronoi/voronoi_diagram.h"
 
 #include <algorithm>
 #include <utility>
@@ -10,37 +10,40 @@ namespace flowcert::voronoi {
 
 namespace {
 
-std::variant<CompactDelaunay, PlanarComplex, VoronoiComplex> make_complex(const Delaunay& delaunay, FilterTally& tally,
+std::variant<CompactDelaunay, PlanarComplex, VoronoiComplex> make_complex(const Delaunay& delaunay, FilterTally* tally,
                                                                           unsigned threads, const Progress& progress) {
+  FilterTally unused;
+  FilterTally& counted = tally != nullptr ? *tally : unused;
   CompactDelaunay copy = compact_copy(delaunay, threads);
-  if (copy.dimension == 3) return VoronoiComplex(std::move(copy), tally, threads, progress);
-  if (copy.dimension == 2) return PlanarComplex(std::move(copy), tally);
+  if (copy.dimension == 3) return VoronoiComplex(std::move(copy), counted, threads, progress);
+  if (copy.dimension == 2) return PlanarComplex(std::move(copy), counted);
   return copy;
 }
 
 }  // namespace
 
-Diagram::Diagram(const Delaunay& delaunay, FilterTally& tally, unsigned threads, const Progress& progress)
-    : complex_(make_complex(delaunay, tally, threads, progress)),
+VoronoiDiagram::VoronoiDiagram(const Delaunay& delaunay, FilterTally* tally, unsigned threads, const Progress& progress)
+    : points_(&delaunay.points()),
+      complex_(geometry::in_ieee_doubles([&] { return make_complex(delaunay, tally, threads, progress); })),
       spatial_(std::get_if<VoronoiComplex>(&complex_)),
       planar_(std::get_if<PlanarComplex>(&complex_)),
       delaunay_(spatial_ != nullptr  ? &spatial_->delaunay()
                 : planar_ != nullptr ? &planar_->delaunay()
                                      : &std::get<CompactDelaunay>(complex_)) {}
 
-std::vector<CellIndex> Diagram::cells_of(CellIndex cluster) const {
+std::vector<CellIndex> VoronoiDiagram::cells_of(CellIndex cluster) const {
   if (spatial_->is_alone(cluster)) return {cluster};
   const auto cells = spatial_->large_cluster_of(cluster);
   return {cells.begin(), cells.end()};
 }
 
 // The facets of a polygon that has several; nothing for a polygon of one facet.
-std::span<const FacetRef> Diagram::large_polygon(PolygonRef polygon) const {
+std::span<const FacetRef> VoronoiDiagram::large_polygon(PolygonRef polygon) const {
   if (spatial_->role(polygon) != VoronoiComplex::FacetRole::kPiece) return {};
   return spatial_->large_polygon(spatial_->large_polygon_of(polygon));
 }
 
-PolygonRef Diagram::polygon(FacetRef facet) const {
+PolygonRef VoronoiDiagram::polygon(FacetRef facet) const {
   if (const PlanarComplex* plane = planar_) {
     return {plane->polygons()[plane->polygon_of(facet.cell)].front(), 3};
   }
@@ -50,7 +53,7 @@ PolygonRef Diagram::polygon(FacetRef facet) const {
   return mirror.cell < facet.cell ? mirror : facet;  // infinite cells come last
 }
 
-PolygonSides Diagram::planar_sides(PolygonRef polygon) const {
+PolygonSides VoronoiDiagram::planar_sides(PolygonRef polygon) const {
   PolygonSides sides;
   for (const CellIndex cell : planar_->polygons()[planar_->polygon_of(polygon.cell)]) {
     const auto& v = delaunay_->vertices(cell);
@@ -63,18 +66,18 @@ PolygonSides Diagram::planar_sides(PolygonRef polygon) const {
   return sides;
 }
 
-PolygonSides Diagram::sides(PolygonRef polygon) const {
+PolygonSides VoronoiDiagram::sides(PolygonRef polygon) const {
   if (planar_ != nullptr) return planar_sides(polygon);
   const auto pieces = large_polygon(polygon);
   return sides_of(*spatial_, pieces.empty() ? std::span<const FacetRef>(&polygon, 1) : pieces);
 }
 
-bool Diagram::has_edge(CellIndex cell, FacetName edge) const {
+bool VoronoiDiagram::has_edge(CellIndex cell, FacetName edge) const {
   const auto& v = delaunay_->vertices(cell);
   return std::ranges::find(v, edge.v0) != v.end() && std::ranges::find(v, edge.v1) != v.end();
 }
 
-CellIndex Diagram::cell_of_side(PolygonRef polygon, FacetName side) const {
+CellIndex VoronoiDiagram::cell_of_side(PolygonRef polygon, FacetName side) const {
   const auto has_side = [&](CellIndex cell) { return has_edge(cell, side); };
   if (has_side(polygon.cell)) return polygon.cell;
   if (planar_ != nullptr) {
@@ -85,7 +88,7 @@ CellIndex Diagram::cell_of_side(PolygonRef polygon, FacetName side) const {
   return std::ranges::find_if(pieces, has_side, &FacetRef::cell)->cell;
 }
 
-PolygonDriver Diagram::driver(PolygonRef polygon) const {
+PolygonDriver VoronoiDiagram::driver(PolygonRef polygon) const {
   // Most polygons are one facet, and the cell's signs tell all of it.
   if (spatial_ != nullptr && spatial_->role(polygon) == VoronoiComplex::FacetRole::kWhole) {
     const TetrahedronSigns& signs = spatial_->signs(polygon.cell);
@@ -104,19 +107,19 @@ PolygonDriver Diagram::driver(PolygonRef polygon) const {
   return driver;
 }
 
-std::array<VertexIndex, 3> Diagram::corners(PolygonRef polygon) const {
+std::array<VertexIndex, 3> VoronoiDiagram::corners(PolygonRef polygon) const {
   const auto& v = delaunay_->vertices(polygon.cell);
   const auto& order = kOutward[polygon.index];
   return {v[order[0]], v[order[1]], v[order[2]]};
 }
 
-CellIndex Diagram::end(PolygonRef polygon, std::size_t side) const {
+CellIndex VoronoiDiagram::end(PolygonRef polygon, std::size_t side) const {
   if (planar_ != nullptr) return kNoCell;
   const CellIndex cell = side == 0 ? polygon.cell : delaunay_->neighbors(polygon.cell)[polygon.index];
   return delaunay_->is_finite(cell) ? spatial_->cluster(cell) : kNoCell;
 }
 
-std::vector<VertexIndex> Diagram::contact(const Place& place) const {
+std::vector<VertexIndex> VoronoiDiagram::contact(const Place& place) const {
   std::vector<VertexIndex> contact;
   switch (place.kind) {
     case Place::Kind::kVertex:
@@ -145,27 +148,3 @@ std::vector<VertexIndex> Diagram::contact(const Place& place) const {
 }
 
 }  // namespace flowcert::voronoi
-
-namespace flowcert {
-
-namespace {
-
-std::unique_ptr<const voronoi::Diagram> made_of(const Delaunay& delaunay, FilterTally* tally, unsigned threads,
-                                                const Progress& progress) {
-  FilterTally unused;
-  return std::make_unique<const voronoi::Diagram>(delaunay, tally != nullptr ? *tally : unused, threads, progress);
-}
-
-}  // namespace
-
-VoronoiDiagram::VoronoiDiagram(const Delaunay& delaunay, FilterTally* tally, unsigned threads, const Progress& progress)
-    : points_(&delaunay.points()),
-      faces_(geometry::in_ieee_doubles([&] { return made_of(delaunay, tally, threads, progress); })) {}
-VoronoiDiagram::~VoronoiDiagram() = default;
-VoronoiDiagram::VoronoiDiagram(VoronoiDiagram&&) noexcept = default;
-VoronoiDiagram& VoronoiDiagram::operator=(VoronoiDiagram&&) noexcept = default;
-
-int VoronoiDiagram::dimension() const { return faces_->dimension(); }
-std::size_t VoronoiDiagram::delaunay_cells() const { return faces_->delaunay().cells.size(); }
-
-}  // namespace flowcert
