@@ -463,8 +463,8 @@ class Judge:
     def makes(self, record, made):
         """Conditions (c) to (h)."""
         named = [point for point in made if point.names]
-        counts = [sum(point.index == index for point in made) for index in range(4)]
-        numbers = [[counts[k]] if k in self.claim.indices else range(self.most(record, k) + 1) for k in (1, 2, 3)]
+        numbers = [[sum(point.index == k for point in made)] if k in self.claim.indices else
+                   range(self.most(record, k) + 1) for k in (1, 2, 3)]
         return len({point.names for point in named}) == len(named) and self.fit_together(record, named) and \
             any(self.is_possible(record, *some) for some in itertools.product(*numbers))
 
@@ -478,7 +478,7 @@ class Judge:
         # Of two triangles at the edge there is one. What there is beside it tells the tetrahedron's angle at the edge.
         contact = self.truth.where(record.contact)
         edge = next(one for one in itertools.combinations(contact, 2) if in_hull(one, record.center))
-        a, r, s = (minus(p, record.center) for p in [edge[0], *(p for p in contact if p not in edge)])
+        a, (r, s) = minus(*edge), (minus(p, record.center) for p in contact if p not in edge)
         cosine = dot(r, s) * dot(a, a) - dot(r, a) * dot(s, a)
         return cosine >= 0 if numbers[0] else cosine <= 0
 
@@ -500,7 +500,7 @@ class Judge:
         if not point.right or point.several:
             return False
         indices, is_made = self.claim.indices, point.record.k in self.perturbed
-        has_samples = point.samples is not None and point.index == 1 and 0 in indices
+        has_samples = point.samples is not None and 0 in indices
         has_boundary = point.boundary is not None and 1 in indices and not is_made
         has_targets = point.targets is not None and (point.index == 3 or point.index + 1 in indices) and not is_made
         if has_samples:

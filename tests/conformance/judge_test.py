@@ -263,6 +263,7 @@ class Json(unittest.TestCase):
         one('{"index": 2, "contact": [0, 1, 2], "stable": {"walk": null}}')
         one('{"index": 2, "contact": [0, 1, 2], "lambda": {"directions": [{"limit": null, "vector": [1, 0, 0]}], '
             '"arcs": []}}')
+        one('{"index": 2, "contact": [0, 1, 2], "surface": {"vertices": [[0.5, 0, 9]], "triangles": []}}')
         one('{"kind": "infinity", "skeleton": {"segments": []}}')
         one('')
         self.assertNotEqual(verdict(TRIANGLE, text_of(HEADER[:-1] + ', "points": 18446744073709551615}')), "unreadable")
@@ -365,7 +366,8 @@ class Text(unittest.TestCase):
                               ("4,2,1,0", False), ("02,2,1,0", False), ("2,2,1,0,5,+1", False), ("2;2;1;0", False),
                               ("2,2,1.#INF,0", False), ("2,2,1.#,0", False), ("2,2,1,0,5,9", False),
                               ("2,2,1,\u0660", False),
-                              ("2,2,1,0\u00a0", False), ("2,2,,0", False), ("2,2,1,0,5,0.0", False)]:
+                              ("2,2,1,0\u00a0", False), ("2,2,,0", False), (",,,,,", False),
+                              ("2,2,,0,,0,1,2", False), ("2,2,,,,0,1,2", False), ("2,,1,,,0,1,2", False), ("2,2,1,0,5,0.0", False)]:
             found = verdict(TRIANGLE, "\n".join([*self.RIGHT[:-1], line]))
             self.assertEqual(found, "conforms" if is_read else "unreadable", line)
 
@@ -690,6 +692,27 @@ class Perturbations(unittest.TestCase):
             others = [(one["index"], one["contact"]) for one in right_records(case)
                       if one["index"] in (2, 3) and len(one["contact"]) < 5]
             self.assertEqual(verdict(case, self.of_prism([2, 3], *claims, *others)), outcome, claims)
+
+    def test_polygons_at_an_edge(self):
+        """One polygon of C(x) is kept, or, if C(x) can be an index-3 point that is not claimed, two."""
+        rows = [(25, 0, 0), (-25, 0, 0), (7, 24, 0), (-7, 24, 0), (15, 20, 0), (7, 0, 24), (-7, 0, 24)]
+        own = {"index": [1, 3], "contact": list(range(7)), "center": ["0", "0", "0"], "squared_distance": "625"}
+        case = {"points": [[float(x).hex() for x in row] for row in rows], "expected": {"stationary": [own]}}
+        one, other, triangle = (2, [0, 1, 2, 3, 4]), (2, [0, 1, 5, 6]), (2, [0, 1, 5])
+        for indices, claims, outcome in [
+                ([1, 2], [one, other], "perturbed"), ([1, 2, 3], [one, other, (3, [0, 1, 2, 3])], "fails"),
+                ([1, 2, 3], [one, triangle, (3, [0, 1, 2, 3])], "perturbed"),
+                ([1, 2, 3], [one, triangle, (3, [0, 1, 2, 3, 4, 5])], "perturbed"),
+                ([1, 2, 3], [one, other, (3, [0, 1, 2, 3, 4, 5])], "fails"),
+                ([1, 2, 3], [(2, [0, 1, 2, 3]), triangle, (3, [0, 1, 2, 5])], "fails")]:
+            self.assertEqual(verdict(case, self.of_prism(indices, (1, [0, 1]), *claims)), outcome, claims)
+
+    def test_what_is_made(self):
+        by_claims = judge.Judge(None, None, 0, 4)
+        by_claims.perturbed = {0: [SimpleNamespace(index=2, names=()), SimpleNamespace(index=1, names=(1, 2))]}
+        for names, index, owed in [((1, 2), 1, True), ((0, 3), 1, False), ((0, 3), None, True), ((0, 3), 2, True)]:
+            self.assertEqual(by_claims.is_made(SimpleNamespace(k=0), names, index), owed)
+        self.assertFalse(by_claims.is_made(SimpleNamespace(k=1), (1, 2), 1))
 
     def test_incidences_with_other_indices_are_not_judged(self):
         edges = [{"index": 1, "contact": one, "samples": [0]} for one in ([0, 1], [0, 2], [1, 2])]

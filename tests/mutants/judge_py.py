@@ -41,8 +41,6 @@ EQUIVALENT = {
         "It is never reached, as it says.",
     "Judge.is_face: record.hull < 3 or self.truth.dimension(names) != 2 -> self.truth.dimension(names) != 2":
         "In a plane all sides are 0, and the next line says no.",
-    "Judge.fit_together: are_on_faces and 3 not in self.claim.indices -> are_on_faces":
-        "Where index 3 is claimed, (d) leaves no two such points (proofs.md, condition (h)).",
     "in_hull: dot(n, cross(b, c)) > 0 -> dot(n, cross(b, c)) >= 0":
         "It is 0 only of opposite vectors, of which the function has asked before.",
     "in_hull: dot(n, cross(c, a)) > 0 -> dot(n, cross(c, a)) >= 0":
@@ -53,6 +51,7 @@ EQUIVALENT = {
     "nearest_in_hull: 5 -> 6": "Four points or fewer have the smallest ball of any set.",
     "Truth.placed: set(names) < set(one.contact) -> set(names) <= set(one.contact)":
         "A set that is equal has been found before.",
+    "read_csv: len(fields) > 4 -> len(fields) >= 4": "A line whose fourth field is empty is refused either way.",
     "number: 0 -> 1": "An exponent of 1 is as good as none: it is at most 700.",
     "roots_differ_by: left <= 0 -> left < 0": "Where it is 0, so is its square, and 4 a b is not less.",
     "parse: 0 -> 1": "A depth of 1 is as good as none: it is at most 16.",
