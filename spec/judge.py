@@ -18,7 +18,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 sys.dont_write_bytecode = True  # beside this file
-from read_claim import KINDS, Literal, Unreadable, Whole, hexadecimal, ids, nearest_double, number, parse, read_claim
+from read_claim import KINDS, Literal, Unreadable, hexadecimal, ids, nearest_double, number, parse, read_claim
 from read_claim import require, roots_differ_by, rounds_alike
 
 sys.set_int_max_str_digits(0)
@@ -562,7 +562,7 @@ class Judge:
         """Why it may be named above a sample or an index-1 point, though it is not above that."""
         names = self.truth.names(rows)
         if record.index == 0:
-            is_edge = len(names) == 2 and record.contact[0] in names and self.is_made(there, names, 1)
+            is_edge = record.contact[0] in names and self.is_made(there, names, 1)
             return "symbolic-perturbation" if is_edge else None
         if there.squared <= record.squared:
             return None
@@ -586,7 +586,7 @@ class Judge:
             self.find(4, "wrong-incidence", "FC-FLOW-07", point)
 
     def may_be_limits(self, limits, true, by_side):
-        some = limits if by_side else [one for k, one in enumerate(limits) if one not in limits[:k]]
+        some = [one for k, one in enumerate(limits) if one not in limits[:k]]
         orders = ([true] if by_side else [true, true[::-1]]) if 1 <= len(some) <= 2 else []
         return any(self.may_end(some[0], a) and self.may_end(some[-1], b) for a, b in orders)
 
@@ -652,7 +652,7 @@ def read_orbit(data):
         if limit["kind"] == "infinity":
             return segments, None
         pair = limit["index"] if isinstance(limit["index"], list) else [limit["index"]] * 2
-        is_right = [isinstance(one, Whole) and one.text in ("0", "1", "2", "3") for one in pair]
+        is_right = [one.text in ("0", "1", "2", "3") for one in pair]
         require(is_right == [True, True], f"no index, 0 to 3, and no pair of them: {pair}")
         position, (squared,) = rationals(limit["position"]), rationals([limit["squared_distance"]], 1)
         return segments, [limit["kind"], limit["index"], position, sorted(ids(limit["contact"])), squared]

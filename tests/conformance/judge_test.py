@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """judge_test.py
 
-The tests of spec/judge.py and spec/read_claim.py that need no build: how it reads claims, what it says of the judgements
-of spec/judgements.json and of right claims about vectors, how it follows orbits, and how it runs commands.
+The tests of spec/judge.py and spec/read_claim.py that need no build: how it reads claims, what it says of the
+judgements of spec/judgements.json and of right claims about vectors, how it follows orbits, and how it runs commands.
 The environment's JUDGE is another folder of these two, one of them a mutant (tests/mutants/judge_py.py).
 """
 # CITES: FC-FILE-12 FC-FILE-13 FC-FILE-15 FC-FILE-16 FC-FILE-18 FC-FILE-19 FC-FILE-26 FC-FILE-27 FC-FILE-29 FC-FILE-47
@@ -367,7 +367,8 @@ class Text(unittest.TestCase):
                               ("2,2,1.#INF,0", False), ("2,2,1.#,0", False), ("2,2,1,0,5,9", False),
                               ("2,2,1,\u0660", False),
                               ("2,2,1,0\u00a0", False), ("2,2,,0", False), (",,,,,", False),
-                              ("2,2,,0,,0,1,2", False), ("2,2,,,,0,1,2", False), ("2,,1,,,0,1,2", False), ("2,2,1,0,5,0.0", False)]:
+                              ("2,2,,0,,0,1,2", False), ("2,2,,,,0,1,2", False), ("2,,1,,,0,1,2", False),
+                              ("2,2,1,0,5,0.0", False)]:
             found = verdict(TRIANGLE, "\n".join([*self.RIGHT[:-1], line]))
             self.assertEqual(found, "conforms" if is_read else "unreadable", line)
 
@@ -392,7 +393,7 @@ class Text(unittest.TestCase):
         self.assertEqual(verdict(TRIANGLE, b"# \xff\n" + "\n".join(self.RIGHT).encode()), "conforms")
 
     def test_vtp_and_pockets_are_unreadable(self):
-        self.assertEqual(verdict(TRIANGLE, "<VTKFile>"), "unreadable")
+        self.assertEqual(judged(TRIANGLE, "<VTKFile>")["message"], "VTP is not read here")
         self.assertEqual(verdict(TRIANGLE, '\n {"format": "flowcert-pockets-1"}'), "unreadable")
 
 
@@ -439,6 +440,8 @@ class Verdicts(unittest.TestCase):
         for limits in ([None, maximum], [maximum, None]):
             self.assertTrue(by_sides(limits, [maximum, regular], False))
             self.assertEqual(by_sides(limits, [maximum, regular], True), limits[0] is maximum)
+            self.assertTrue(by_sides([*limits, None, maximum], [maximum, regular], False))
+            self.assertFalse(by_sides([limits[0], regular, limits[1]], [maximum, regular], False))
 
     def test_what_is_not_decided_is_said(self):
         head = HEADER[:-1] + ', "indices": [0, 1]}'
@@ -727,6 +730,7 @@ class Perturbations(unittest.TestCase):
         self.assertNotIn(4, [level for level, *_ in reasons(case, line.replace("| inf", ""))])
         self.assertEqual([one[:2] for one in reasons(case, f"{line} | 0 1") if one[0] == 4],
                          [(4, "symbolic-perturbation"), (4, "wrong-incidence")])
+        self.assertIn((4, "wrong-incidence", 1), reasons(case, line.replace("| inf", "| 0 1 | inf")))
         self.assertIn((4, "wrong-incidence", 5), reasons(TRIANGLE,
                                                          "\n".join(["", "0|0", "1|0", "2|0", "0 1 | 2 | inf"])))
 
@@ -766,17 +770,48 @@ class Perturbations(unittest.TestCase):
         self.assertEqual(verdict(case, "\n".join(samples + edges + whole)), "fails")
 
 
-    def test_a_boundary_lies_below(self):
-        """Where a tie leaves it open, what has two samples is an edge of a smaller distance than the point."""
-        for squared, index, is_right in [(3, 1, True), (4, 1, False), (3, 2, False)]:
-            edges = {names: SimpleNamespace(index=index, k=k, contact=names, critical=True, squared=squared)
-                     for k, names in enumerate(((0, 1), (0, 2), (1, 2)))}
-            truth = SimpleNamespace(names=tuple, placed=lambda names: (edges[names], "whole"))
-            point = SimpleNamespace(line=1, contact=[], boundary=[[0, 1], [0, 2], [1, 2]],
-                                    record=SimpleNamespace(squared=4, told={"boundary": None}))
-            by_edges = judge.Judge(truth, None, 0, 4)
-            by_edges.check_boundary(point)
-            self.assertEqual(not by_edges.findings, is_right)
+    def boundary(self, edges, made=()):
+        """What is found of a boundary that a tie leaves open, of a point of the squared distance 4. An edge is its
+        names, an index, a squared distance, and whether it is critical. What is made has an index and names."""
+        records = {names: SimpleNamespace(index=index, k=k, contact=names, squared=squared, critical=critical)
+                   for k, (names, index, squared, critical) in enumerate(edges)}
+        truth = SimpleNamespace(names=tuple, placed=lambda names: (records.get(names), "whole"))
+        by_edges = judge.Judge(truth, None, 0, 4)
+        by_edges.perturbed = {0: [SimpleNamespace(index=index, names=names) for index, names in made]}
+        point = SimpleNamespace(line=1, contact=[], boundary=[one[0] for one in edges],
+                                record=SimpleNamespace(squared=4, told={"boundary": None}))
+        by_edges.check_boundary(point)
+        return [(one["level"], one["reason"], one["permitted"]) for one in by_edges.findings]
+
+    def test_boundaries_that_a_tie_leaves_open(self):
+        first, *rest = (((0, 1), 1, 3, True), ((0, 2), 1, 3, True), ((1, 2), 1, 3, True))
+        wrong, made = [(4, "wrong-incidence", False)], [(4, "symbolic-perturbation", True)]
+        for other, owed in [(first, []), (((0, 1), 1, 4, True), wrong), (((0, 1), 1, 5, True), wrong),
+                            (((0, 1), 2, 3, True), wrong), (((0, 1), 1, 3, False), made),
+                            (((0, 3), 1, 3, True), wrong)]:
+            self.assertEqual(self.boundary([other, *rest]), owed, other)
+        for index, names, owed in [(1, (0, 1), made), (2, (0, 1), wrong), (1, (0, 2), wrong)]:
+            self.assertEqual(self.boundary([((0, 1), 2, 3, True), *rest], [(index, names)]), owed, names)
+        self.assertEqual(self.boundary([first, first]), wrong)
+        self.assertEqual(self.boundary(rest), wrong)
+        self.assertEqual(self.boundary([((0, 1, 2), 1, 3, True), ((1, 2, 3), 1, 3, True), ((0, 3), 1, 3, True)]), wrong)
+
+    def test_where_an_orbit_may_end(self):
+        regular = SimpleNamespace(critical=False, index=1, hull=2, squared=4)
+        for index, hull, squared, owed in [(2, 2, 5, True), (3, 3, 5, True), (1, 1, 5, False), (2, 2, 4, False),
+                                           (3, 3, 3, False)]:
+            target = SimpleNamespace(critical=index == hull, index=index, hull=hull, squared=squared)
+            self.assertEqual(judge.Judge(None, None, 0, 4).may_end(target, regular), owed, (index, squared))
+
+    def test_infinity_where_no_direction_ends_there(self):
+        """An edge without saddles above it, whose only direction is made to end at a maximum."""
+        case = json.loads(json.dumps(CASES["critical-points-0055"]))
+        told = case["expected"]["stationary"]
+        edge, maximum = (next(one for one in told if one["contact"] == names) for names in (
+            [18, 26], next(one["contact"] for one in told if one["index"] == 3)))
+        edge["incidences"]["limits"] = [maximum["contact"]]
+        line = f"18 26 | {nearest(edge['squared_distance']) ** 0.5!r} | inf"
+        self.assertIn((4, "wrong-incidence", 1), reasons(case, line))
 
 
 class Orbits(unittest.TestCase):
@@ -954,6 +989,8 @@ class Orbits(unittest.TestCase):
                 judge.read_orbit(data)
         with self.assertRaisesRegex(judge.Unreadable, "there is no answer"):
             judge.read_orbit(None)
+        with self.assertRaisesRegex(judge.Unreadable, "no rational in a string"):
+            judge.read_orbit((at % ("[]", limit.replace('"-3/4"', "5"))).encode())
         with self.assertRaisesRegex(judge.Unreadable, "not a whole number: 1"):
             judge.read_orbit((at % ("[]", limit.replace("[1, 0]", '["1", 0]'))).encode())
         self.assertEqual(judge.read_orbit((at % ("[]", limit.replace("[1,", "[2147483646,"))).encode())[1][3],
