@@ -423,14 +423,15 @@ class Verdicts(unittest.TestCase):
             self.assertEqual(said, (one["judged"], one["undecided"]), one)
 
     def test_one_triangle_at_an_edge_tells_the_angle_there(self):
-        rows = [(5, 0, 0), (-5, 0, 0), (0, 5, 0)]
-        for y, owed in ((3, [True, False]), (0, [True, True]), (-3, [False, True])):
-            points = [[(one / 64).hex() for one in row] for row in [*rows, (0, y, 4 if y else 5)]]
+        acute, right, obtuse = [True, False], [True, True], [False, True]
+        for r, s, owed in [((0, 5, 0), (0, 3, 4), acute), ((0, 5, 0), (0, 0, 5), right), ((3, 4, 0), (3, 0, 4), right),
+                           ((0, 5, 0), (0, -3, 4), obtuse)]:
+            points = [[(one / 64).hex() for one in row] for row in ((5, 0, 0), (-5, 0, 0), r, s)]
             own = {"index": [1, 3], "contact": [0, 1, 2, 3], "center": ["0", "0", "0"], "squared_distance": "25/4096"}
             truth = judge.Truth({"points": points, "expected": {"stationary": [own]}})
             by_own = judge.Judge(truth, SimpleNamespace(points=[], indices={0, 1, 2, 3}), 0, 4)
             found = [by_own.is_possible(truth.records[0], *some) for some in ((1, 1, 0), (0, 1, 1))]
-            self.assertEqual(found, owed, y)
+            self.assertEqual(found, owed, (r, s))
 
     def test_limits_without_sides_come_in_any_order(self):
         truth = judge.Truth(CASES["regular-stationary-points-0002"])
