@@ -721,8 +721,8 @@ class Flow:
         if to is None:  # infinity does not tell the direction
             is_leaving = kind in SEGMENT_TYPES and kind[0] == self.letter(end[3]) and kind[4:] == "inf" and driver == y
             return is_leaving and start in (None, end[3]) and not after and limit is None and len(ours) == count + 1
-        first = self.segment(y, y, minus(to, y))
-        if to != first[2] or not in_hull(self.truth.where(first[4]), y):
+        _, _, reached, _, crossed, _ = first = self.segment(y, y, minus(to, y))
+        if to != reached or not in_hull(self.truth.where(crossed), y):
             return False
         more, end = self.orbit(to)
         return self.verdict((ours[count:], limit), ([first, *more], end)) != FAILS

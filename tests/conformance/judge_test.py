@@ -566,6 +566,16 @@ class Verdicts(unittest.TestCase):
         exact = judged(TRIANGLE, text_of(HEADER, *records), tolerance=1e-3)
         said = judge.statement("conforms", [exact["profile"]], 1e-3)
         self.assertEqual(said, "conforms to 1.1, points + U2 + S2, exact")
+        few = text_of(HEADER[:-1] + ', "indices": [1, 2]}', *records[3:])
+        said = judge.statement("conforms", [judged(TRIANGLE, few)["profile"]], 1e-9)
+        self.assertEqual(said, "conforms to 1.1, points of index 1, 2, exact")
+        case = CASES["regular-stationary-points-0002"]
+        records_of_case = right_records(case)
+        for key, told in [("none", (True, True)), ("limits", (False, True)), ("stable", (True, False))]:
+            next(one for one in records_of_case if one["index"] == 2 and "limits" in one).pop(key, None)
+            parts = judged(case, text_of(HEADER, *records_of_case))["profile"]["parts"]
+            self.assertEqual(parts, {"points": True, "U2": told[0], "S2": told[1], "orbits": None}, key)
+            records_of_case = right_records(case)
         for levels, said in [(1, None), (2, None), (3, "conforms to 1.1, points, exact")]:
             result = judged(TRIANGLE, text_of(HEADER, *records), levels=levels)
             self.assertEqual(judge.statement(result["outcome"], [result["profile"]], 1e-9), said)
@@ -883,6 +893,10 @@ class Orbits(unittest.TestCase):
                 if not last:
                     self.assertEqual(flow.verdict((segments[:k + 1] + segments[k + 2:], limit), true), "fails",
                                      (one, k))
+            self.assertEqual(flow.verdict((true[0][:-1], true[1]), true), "fails", one)
+            (kind, driver, *rest), end = true[0][0], true[1]
+            elsewhere = [kind, (driver[0] + 1, *driver[1:]), *rest]
+            self.assertEqual(flow.verdict(([elsewhere, *true[0]], end), ([true[0][0], *true[0]], end)), "fails", one)
             self.assertEqual(flow.verdict((segments, true[1]), true), "fails", one)
             self.assertEqual(flow.verdict(([*segments, segments[-1]], limit), true), "fails", one)
             self.assertEqual(flow.verdict((segments[count:], limit), true), "fails", one)
