@@ -753,7 +753,7 @@ def statement(verdict, profiles, tolerance):
         return f"does not conform to {VERSION}"
     states = {part: [profile["parts"][part] for profile in profiles] for part in ("points", "U2", "S2", "orbits")}
     parts = [part for part, told in states.items() if True in told and False not in told]
-    indices = set(range(4)).intersection(*(profile["indices"] for profile in profiles))
+    indices = {0, 1, 2, 3}.intersection(*(profile["indices"] for profile in profiles))
     if parts[:1] == ["points"] and len(indices) < 4:
         parts[:1] = [f"points of index {', '.join(map(str, sorted(indices)))}"] if indices else []
     is_exact = all(profile["exact"] for profile in profiles)
