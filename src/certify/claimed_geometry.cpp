@@ -27,7 +27,7 @@ Sign orientation(const PointSet& points, std::span<const PointId> plane, PointId
 
 }  // namespace
 
-const Point& sample(const PointSet& points, PointId name) { return points[points.ordinal_of_row(name)]; }
+const Point& sample(const PointSet& points, PointId name) { return points.at_row(name); }
 
 bool all_on_sphere(const PointSet& points, std::span<const PointId> names, const ExactSphere& sphere) {
   return std::all_of(names.begin(), names.end(), [&](PointId name) {

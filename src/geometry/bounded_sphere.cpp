@@ -115,7 +115,7 @@ BoundedSphere bounded_sphere(const PointSet& points, std::span<const PointId> co
   std::array<const Point*, 4> given{};
   const std::size_t count = std::min(hull_dimension + 1, given.size());
   if (contact.size() < count) return {};
-  for (std::size_t k = 0; k < count; ++k) given[k] = &points[points.ordinal_of_row(contact[k])];
+  for (std::size_t k = 0; k < count; ++k) given[k] = &points.at_row(contact[k]);
   return bounded_sphere(std::span(given).first(count));
 }
 

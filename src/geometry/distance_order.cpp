@@ -9,7 +9,7 @@
 namespace flowcert::geometry {
 
 DistanceOrder::DistanceOrder(const RationalPoint& x) : x_(x), rounded_(rounded_point(x)) {
-  largest_ = std::max({std::abs(rounded_.x), std::abs(rounded_.y), std::abs(rounded_.z)});
+  largest_ = greatest_coordinate(rounded_);
 }
 
 double DistanceOrder::rounded_distance(const Point& p) const {

@@ -84,7 +84,7 @@ PlacedCenter placed_center(const PointSet& points, std::span<const PointId> cont
   if (contact.empty()) throw std::invalid_argument("exact_sphere: an empty set has no sphere");
   std::vector<const Point*> given;
   given.reserve(contact.size());
-  for (const PointId id : contact) given.push_back(&points[points.ordinal_of_row(id)]);
+  for (const PointId id : contact) given.push_back(&points.at_row(id));
   const IntegerGrid grid(given);
   const Point& first = *given.front();
   std::vector<Vector> vectors;

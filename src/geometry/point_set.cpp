@@ -18,7 +18,7 @@ std::tuple<double, double, double> key(const Point& p) { return {p.x, p.y, p.z};
 
 // Adding 0.0 turns -0.0 into 0.0 and leaves every other number as it is.
 Point normalized(const Point& p, std::size_t row) {
-  if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+  if (!p.is_finite()) {
     throw InvalidInput("point " + std::to_string(row) + " has a coordinate that is not a finite number");
   }
   return {p.x + 0.0, p.y + 0.0, p.z + 0.0};

@@ -5,7 +5,9 @@
 // filter_bounds.h. A filter that cannot tell a sign answers std::nullopt, never a guess (spec clause FC-NUM-01).
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -60,6 +62,11 @@ template <class Number>
 template <class Number>
 [[nodiscard]] Vector3<Number> cross(const Vector3<Number>& u, const Vector3<Number>& v) {
   return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+}
+
+// Without its sign.
+[[nodiscard]] inline double greatest_coordinate(const Point& p) {
+  return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
 }
 
 [[nodiscard]] inline Vector3<double> vector_between(const Point& from, const Point& to) {

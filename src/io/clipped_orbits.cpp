@@ -9,14 +9,6 @@
 
 namespace flowcert::io {
 
-namespace {
-
-bool is_finite(const Point& position) {
-  return std::isfinite(position.x) && std::isfinite(position.y) && std::isfinite(position.z);
-}
-
-}  // namespace
-
 RoundedSphere ClippedOrbits::cut(const Point& from, const RationalPoint& direction) {
   const Point end = box_.exit(from, direction);
   const RationalPoint exact_end = exact_position(end);
@@ -44,7 +36,7 @@ void ClippedOrbits::clip(std::size_t i, std::size_t side, std::vector<RoundedSph
   if (outside == points.end()) {
     const Point direction = complex_.unstable().direction_to_infinity(i, side).value();
     end = known_cut({from.x, from.y, from.z, direction.x, direction.y, direction.z, 0});
-  } else if (const Point to = outside->center; is_finite(to)) {
+  } else if (const Point to = outside->center; to.is_finite()) {
     end = known_cut({from.x, from.y, from.z, to.x, to.y, to.z, 1});
   } else {
     // The next point is beyond the doubles, so its exact position is made.

@@ -6,19 +6,13 @@
 
 namespace flowcert::io {
 
-namespace {
-
-std::array<double, 3> coordinates_of(const Point& point) { return {point.x, point.y, point.z}; }
-
-}  // namespace
-
 CornerNumbers::CornerNumbers(const FlowComplex& complex, StableRegions& regions)
     : complex_(complex), regions_(regions) {
   const StationaryPoints& stationary = complex.stationary();
   for (std::size_t record = 0; record < stationary.size(); ++record) {
     const StationaryIndex index = stationary.index(record);
     if (index.is_critical() || index.face_dimension != 1) continue;
-    regular_.emplace(coordinates_of(complex.rounded_sphere(record).center), Regular{record, kNone});
+    regular_.emplace(complex.rounded_sphere(record).center.coordinates(), Regular{record, kNone});
   }
 }
 
@@ -30,12 +24,12 @@ std::int64_t CornerNumbers::of(const StableRegion& region, const RegionCorner& c
 
 std::int64_t CornerNumbers::of_sample(PointId name) {
   const auto [found, is_new] = samples_.try_emplace(name, kNone);
-  if (is_new) found->second = append(complex_.points()[complex_.points().ordinal_of_row(name)]);
+  if (is_new) found->second = append(complex_.points().at_row(name));
   return found->second;
 }
 
 std::int64_t CornerNumbers::of_cut(const Point& position) {
-  const auto [found, is_new] = cuts_.try_emplace(coordinates_of(position), kNone);
+  const auto [found, is_new] = cuts_.try_emplace(position.coordinates(), kNone);
   if (is_new) found->second = append(position);
   return found->second;
 }
@@ -51,7 +45,7 @@ std::int64_t& CornerNumbers::known(const StableRegion& region, const RegionCorne
 
 std::int64_t CornerNumbers::number_of_new(const StableRegion& region, const RegionCorner& corner) {
   const Point position = regions_.rounded(region, corner);
-  const auto [from, to] = regular_.equal_range(coordinates_of(position));
+  const auto [from, to] = regular_.equal_range(position.coordinates());
   for (auto each = from; each != to; ++each) {
     Regular& regular = each->second;
     if (complex_.sphere(regular.record).center != regions_.exact(region, corner)) continue;

@@ -78,9 +78,7 @@ class InfinityCells {
  private:
   using Corners = std::vector<ProjectiveCorner>;
 
-  [[nodiscard]] RationalPoint position(PointId name) const {
-    return exact_position(complex_.points()[complex_.points().ordinal_of_row(name)]);
-  }
+  [[nodiscard]] RationalPoint position(PointId name) const { return exact_position(complex_.points().at_row(name)); }
 
   void add(const StableRegion& region) {
     const auto is_end = [](const RegionCorner& corner) { return corner.kind == RegionCorner::Kind::kEnd; };
@@ -109,8 +107,7 @@ class InfinityCells {
     for (std::size_t k = 0; k < region.corners.size(); ++k) {
       const auto number = static_cast<std::uint32_t>(k);
       const Point x = regions_.rounded(region, region.corners[k]);
-      const bool is_double = std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z);
-      const RationalPoint exact = is_double ? exact_position(x) : regions_.exact(region, region.corners[k]);
+      const RationalPoint exact = x.is_finite() ? exact_position(x) : regions_.exact(region, region.corners[k]);
       const bool at_infinity = region.corners[k].kind == RegionCorner::Kind::kEnd;
       base.push_back(at_infinity ? corner_at_infinity(exact, number) : finite_corner(exact, number));
     }

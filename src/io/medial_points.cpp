@@ -38,7 +38,7 @@ std::optional<Rational> rational_cosine(const Rational& degrees) {
 Rational contact_cosine(const FlowComplex& complex, std::size_t record) {
   const PointSet& points = complex.points();
   const auto contact = complex.stationary().contact(record);
-  const auto at = [&](PointId name) { return geometry::exact_position(points[points.ordinal_of_row(name)]); };
+  const auto at = [&](PointId name) { return geometry::exact_position(points.at_row(name)); };
   Rational farthest = 0;
   for (std::size_t i = 0; i < contact.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {

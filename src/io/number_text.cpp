@@ -11,6 +11,7 @@
 #include <system_error>
 #include <vector>
 
+#include "flowcert/rounded_sphere.h"
 #include "io/foreign_text.h"
 
 namespace flowcert::io {
@@ -373,21 +374,18 @@ BeyondDoubles::BeyondDoubles()
           "a coordinate or squared distance is beyond the largest double, which an exported file cannot "
           "say; compute -o has it exactly") {}
 
-double rounded(const Rational& value) {
-  const std::optional<double> nearest = nearest_double(value);
-  if (!nearest) throw BeyondDoubles();
-  return *nearest;
-}
+double rounded(const Rational& value) { return finite(nearest_or_infinity(value)); }
 
-Point rounded(const RationalPoint& position) {
-  return {rounded(position[0]), rounded(position[1]), rounded(position[2])};
-}
+Point rounded(const RationalPoint& position) { return finite(rounded_point(position)); }
 
 double finite(double value) {
   if (!std::isfinite(value)) throw BeyondDoubles();
   return value;
 }
 
-Point finite(const Point& position) { return {finite(position.x), finite(position.y), finite(position.z)}; }
+Point finite(const Point& position) {
+  if (!position.is_finite()) throw BeyondDoubles();
+  return position;
+}
 
 }  // namespace flowcert::io

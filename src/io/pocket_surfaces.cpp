@@ -74,7 +74,7 @@ void write_ply(std::ostream& out, const PocketSurface& surface, const std::strin
   out << ply_header(comment, surface.vertices.size(), surface.triangles.size());
   ByteWriter bytes(out);
   for (const Point& point : surface.vertices) {
-    for (const double coordinate : {point.x, point.y, point.z}) bytes.append(coordinate);
+    for (const double coordinate : point.coordinates()) bytes.append(coordinate);
   }
   for (const auto& triangle : surface.triangles) {
     bytes.append(std::uint8_t{3});

@@ -25,8 +25,7 @@ std::map<Samples, std::size_t> records_of_facets(const FlowComplex& complex) {
   const StationaryPoints& stationary = complex.stationary();
   const PointSet& points = complex.points();
   const auto is_between = [&](const Samples& samples, const RationalPoint& center) {
-    const auto at = [&](std::size_t k) { return points[points.ordinal_of_row(samples[k])]; };
-    return geometry::exact_midpoint(at(0), at(1)) == center;
+    return geometry::exact_midpoint(points.at_row(samples[0]), points.at_row(samples[1])) == center;
   };
   std::map<Samples, std::size_t> records;
   for (std::size_t record = 0; record < stationary.size(); ++record) {

@@ -34,8 +34,7 @@ std::string coordinates_sha256(const PointSet& points) {
   unsigned int length = 0;
   bool ok = context != nullptr && EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) == 1;
   for (std::size_t row = 0; row < points.row_count(); ++row) {
-    const Point& p = points[points.ordinal_of_row(static_cast<PointId>(row))];
-    const std::array<double, 3> coordinates = {p.x, p.y, p.z};
+    const std::array<double, 3> coordinates = points.at_row(static_cast<PointId>(row)).coordinates();
     ok = ok && EVP_DigestUpdate(context.get(), coordinates.data(), sizeof(coordinates)) == 1;
   }
   ok = ok && EVP_DigestFinal_ex(context.get(), digest.data(), &length) == 1;

@@ -56,7 +56,7 @@ class MeshBuilder {
   static constexpr std::uint32_t kNone = 0xffffffffu;
   static constexpr std::size_t kMostNumbers = std::numeric_limits<std::int32_t>::max();
 
-  std::uint32_t sample(PointId id) { return end_vertex({id}, {points_[points_.ordinal_of_row(id)], 0}); }
+  std::uint32_t sample(PointId id) { return end_vertex({id}, {points_.at_row(id), 0}); }
 
   std::uint32_t vertex(const RoundedSegments& set, std::uint32_t place) {
     const auto& [sphere, end] = set.positions[place];
@@ -103,7 +103,7 @@ void write_ply(std::ostream& out, const SurfaceMesh& mesh, const std::string& co
   out << ply_header(comment, mesh.vertices.size(), mesh.triangles.size());
   ByteWriter bytes(out);
   for (const Point& point : mesh.vertices) {
-    for (const double coordinate : {point.x, point.y, point.z}) bytes.append(coordinate);
+    for (const double coordinate : point.coordinates()) bytes.append(coordinate);
   }
   for (const Triangle& triangle : mesh.triangles) {
     bytes.append(std::uint8_t{3});

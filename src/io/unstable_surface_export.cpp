@@ -97,7 +97,7 @@ class PictureMaker {
     return number;
   }
   std::uint32_t number_of_cut(const Point& position) {
-    const auto [known, is_new] = cuts_.try_emplace({position.x, position.y, position.z}, kNone);
+    const auto [known, is_new] = cuts_.try_emplace(position.coordinates(), kNone);
     if (is_new) known->second = append(position, true);
     return known->second;
   }
@@ -148,7 +148,7 @@ struct UnstableSurfaceExport::Parts {
 void UnstableSurfaceExport::Parts::append(const SurfacePicture& picture, std::size_t source) {
   for (const SurfaceCell& cell : picture.cells) append(cell, static_cast<std::int64_t>(source), point_count);
   for (const Point& point : picture.points) {
-    for (const double coordinate : {point.x, point.y, point.z}) points.append(coordinate);
+    for (const double coordinate : point.coordinates()) points.append(coordinate);
   }
   for (const bool is_cut : picture.is_clipped) is_clipped.append(static_cast<std::int8_t>(is_cut));
   point_count += static_cast<std::int64_t>(picture.points.size());

@@ -21,7 +21,7 @@ ViewerFrame::ViewerFrame(const PointSet& points) {
   std::array<double, 3> low, high;
   low = high = {points[0].x, points[0].y, points[0].z};
   for (const Point& point : points.points()) {
-    const std::array<double, 3> row = {point.x, point.y, point.z};
+    const std::array<double, 3> row = point.coordinates();
     for (std::size_t axis = 0; axis < 3; ++axis) {
       low[axis] = std::min(low[axis], row[axis]);
       high[axis] = std::max(high[axis], row[axis]);
@@ -38,7 +38,7 @@ ViewerFrame::ViewerFrame(const PointSet& points) {
 }
 
 std::array<double, 3> ViewerFrame::placed(const Point& point) const {
-  const std::array<double, 3> row = {point.x, point.y, point.z};
+  const std::array<double, 3> row = point.coordinates();
   std::array<double, 3> at{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     // Halves do not overflow where the frame is large, and would underflow where it is small.

@@ -71,7 +71,7 @@ void VtkDocument::points(const std::vector<Point>& points) {
   array("Points", type_name(double{}), 3, 3 * points.size() * sizeof(double), [&points](std::ostream& out) {
     ByteWriter bytes(out);
     for (const Point& point : points) {
-      for (const double coordinate : {point.x, point.y, point.z}) bytes.append(coordinate);
+      for (const double coordinate : point.coordinates()) bytes.append(coordinate);
     }
   });
   end("Points");

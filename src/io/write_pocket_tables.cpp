@@ -78,7 +78,7 @@ void write_lining_csv(std::ostream& out, const PocketsToWrite& what) {
       const PointSet& points = what.complex.points();
       out << fmt::format("{},{},{},{},{},{},{},{}\n", number, row, csv_text(name.chain), csv_text(name.residue),
                          csv_text(name.number), csv_text(name.atom), csv_text(name.element),
-                         position_text(points[points.ordinal_of_row(row)]));
+                         position_text(points.at_row(row)));
     }
   }
 }

@@ -68,7 +68,7 @@ BoundedDivisions::BoundedDivisions(const VoronoiDiagram& diagram, const LimitPar
     : diagram_(diagram), partition_(partition) {
   double largest = 0;
   for (const Point& p : diagram.delaunay().points) {
-    largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+    largest = std::max(largest, greatest_coordinate(p));
   }
   // Numbers near the ends of the exponents cannot be scaled; exact ones decide then.
   unit_ = largest > 0 ? std::clamp(std::ilogb(largest), -960, 960) : 0;

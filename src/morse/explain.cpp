@@ -25,7 +25,7 @@ void find_contact(const PointSet& points, const RationalPoint& x, Explanation& a
 
 std::vector<Point> coordinates(const PointSet& points, std::span<const PointId> names) {
   std::vector<Point> result;
-  for (const PointId name : names) result.push_back(points[points.ordinal_of_row(name)]);
+  for (const PointId name : names) result.push_back(points.at_row(name));
   return result;
 }
 
@@ -82,7 +82,7 @@ Explanation explain_points(const PointSet& points, std::span<const PointId> rows
   Explanation answer;
   const ExactSphere sphere = exact_sphere(points, names);
   for (const PointId name : names) {
-    if (squared_distance(sphere.center, points[points.ordinal_of_row(name)]) != sphere.squared_radius) {
+    if (squared_distance(sphere.center, points.at_row(name)) != sphere.squared_radius) {
       answer.witnesses.push_back(name);
     }
   }

@@ -71,7 +71,7 @@ std::optional<Approximation> of_sphere(const RoundedVector& a, const RoundedVect
 // Any three points of a circle tell it, and any four of a sphere that are not coplanar.
 std::optional<Approximation> approximation_of(const PointSet& points, StationaryIndex index,
                                               std::span<const PointId> contact) {
-  const auto point = [&](std::size_t k) -> const Point& { return points[points.ordinal_of_row(contact[k])]; };
+  const auto point = [&](std::size_t k) -> const Point& { return points.at_row(contact[k]); };
   const auto from_first = [&](std::size_t k) { return vector_between(point(0), point(k)); };
   switch (index.hull_dimension) {
     case 0:

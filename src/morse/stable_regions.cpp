@@ -78,8 +78,7 @@ void StableRegions::visit(const Visit& visit) {
 }
 
 RationalPoint StableRegions::Parts::midpoint(const StableRegion& region) const {
-  const auto sample = [this](PointId name) -> const Point& { return points.points()[points.ordinal_of_row(name)]; };
-  return exact_midpoint(sample(region.samples[0]), sample(region.samples[1]));
+  return exact_midpoint(points.at_row(region.samples[0]), points.at_row(region.samples[1]));
 }
 
 DivisionPoint StableRegions::Parts::place(const RegionCorner& corner) const {

@@ -22,14 +22,12 @@ constexpr double kShare = 0x1p-40 * (1 - 0x1p-10);
 std::optional<double> rounded_area(const PointSet& points, const RoundedSegments& rounded) {
   double sum = 0, error = 0;
   for (const RoundedSegments::Segment& segment : rounded.segments) {
-    const Point& p = points[points.ordinal_of_row(segment.samples[0])];
+    const Point& p = points.at_row(segment.samples[0]);
     const Point& front = rounded.positions[segment.front].sphere.center;
     const Point& back = rounded.positions[segment.back].sphere.center;
     const Vector3<double> u = vector_between(p, front), v = vector_between(p, back);
     double greatest = 0;
-    for (const Point& x : {p, front, back}) {
-      greatest = std::max({greatest, std::fabs(x.x), std::fabs(x.y), std::fabs(x.z)});
-    }
+    for (const Point& x : {p, front, back}) greatest = std::max(greatest, greatest_coordinate(x));
     const double length_u = std::sqrt(dot(u, u)), length_v = std::sqrt(dot(v, v));
     const Vector3<double> normal = cross(u, v);
     sum += std::sqrt(dot(normal, normal));
@@ -45,7 +43,7 @@ std::optional<double> rounded_area(const PointSet& points, const RoundedSegments
 double exact_area(const PointSet& points, const StableSet<>& set) {
   double sum = 0;
   for (const BackwardSegment<>& segment : set.segments) {
-    const Point& p = points[points.ordinal_of_row(segment.samples[0])];
+    const Point& p = points.at_row(segment.samples[0]);
     const RationalPoint normal = normal_of(exact_position(p), segment.front.position, segment.back.position);
     sum += geometry::nearest_difference_of_roots(dot(normal, normal), 0);
   }

@@ -11,12 +11,6 @@
 
 namespace flowcert::morse {
 
-namespace {
-
-std::array<double, 3> coordinates(const Point& x) { return {x.x, x.y, x.z}; }
-
-}  // namespace
-
 // ---- Exactly ----
 
 RationalPoint SurfaceCorners::sample(VertexIndex v) const { return exact_position(faces_.diagram().point(v)); }
@@ -72,12 +66,12 @@ std::uint32_t SurfaceCorners::number(Corner<> corner) {
 
 std::uint32_t SurfaceCorners::number_of(Numbered corner) {
   auto& numbers = by_position_[corner.at_infinity ? 1 : 0];
-  const auto [first, last] = numbers.equal_range(coordinates(corner.rounded));
+  const auto [first, last] = numbers.equal_range(corner.rounded.coordinates());
   for (auto each = first; each != last; ++each) {
     if (exact_of(corners_[each->second]) == exact_of(corner)) return each->second;
   }
   const auto next = static_cast<std::uint32_t>(corners_.size());
-  numbers.emplace(coordinates(corner.rounded), next);
+  numbers.emplace(corner.rounded.coordinates(), next);
   corners_.push_back(std::move(corner));
   return next;
 }
@@ -93,7 +87,7 @@ std::vector<std::uint32_t> SurfaceCorners::sort() {
   std::ranges::sort(order, [&](std::uint32_t i, std::uint32_t j) {
     Numbered &a = corners_[i], &b = corners_[j];
     if (a.at_infinity != b.at_infinity) return b.at_infinity;
-    if (coordinates(a.rounded) != coordinates(b.rounded)) return coordinates(a.rounded) < coordinates(b.rounded);
+    if (a.rounded.coordinates() != b.rounded.coordinates()) return a.rounded.coordinates() < b.rounded.coordinates();
     return i != j && exact_of(a) < exact_of(b);
   });
   std::vector<Numbered> sorted;
@@ -108,9 +102,8 @@ std::vector<std::uint32_t> SurfaceCorners::sort() {
 std::vector<RoundedUnstableSurface::Corner> SurfaceCorners::rounded() {
   std::vector<RoundedUnstableSurface::Corner> result;
   for (Numbered& corner : corners_) {
-    const auto& [x, y, z] = corner.rounded;
     result.push_back({corner.rounded, corner.at_infinity, std::nullopt});
-    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) result.back().exact = exact_of(corner);
+    if (!corner.rounded.is_finite()) result.back().exact = exact_of(corner);
   }
   return result;
 }

@@ -160,8 +160,7 @@ bool UnstableManifolds::Parts::Worker::is_reversed(std::size_t record, PolygonRe
 RationalPoint UnstableManifolds::Parts::Worker::normal_of(std::size_t saddle) const {
   const PointSet& points = all_.diagram.points();
   const auto contact = all_.stationary.contact(saddle);
-  const auto named = [&](std::size_t k) -> const Point& { return points[points.ordinal_of_row(contact[k])]; };
-  return exact_normal(named(0), named(1), named(2));
+  return exact_normal(points.at_row(contact[0]), points.at_row(contact[1]), points.at_row(contact[2]));
 }
 
 void UnstableManifolds::Parts::Worker::flow_from(std::span<const CellIndex> starts,

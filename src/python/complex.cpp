@@ -30,7 +30,7 @@ StationaryRecord record_of(StationaryIndex index, const RoundedSphere& sphere) {
   const auto face = static_cast<std::int8_t>(index.face_dimension);
   return {.index = index.is_critical() ? face : std::int8_t{-1},
           .kind = {face, static_cast<std::int8_t>(index.hull_dimension)},
-          .position = {sphere.center.x, sphere.center.y, sphere.center.z},
+          .position = sphere.center.coordinates(),
           .squared_distance = sphere.squared_radius};
 }
 
@@ -99,7 +99,7 @@ Complex::Complex(const PointRows& rows, unsigned threads, bool unlimited)
 py::array Complex::points() const {
   const PointSet& points = complex_.points();
   std::vector<Point> rows(points.row_count());
-  for (PointId row = 0; row < rows.size(); ++row) rows[row] = points[points.ordinal_of_row(row)];
+  for (PointId row = 0; row < rows.size(); ++row) rows[row] = points.at_row(row);
   return rows_of<double>(std::move(rows));
 }
 

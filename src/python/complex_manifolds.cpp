@@ -52,7 +52,7 @@ struct Lines {
 
   void append(std::size_t saddle, std::optional<std::size_t> limit, const std::vector<RoundedSphere>& orbit) {
     for (const auto& [position, squared_distance] : orbit) {
-      if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z)) {
+      if (!position.is_finite()) {
         throw InvalidInput("a coordinate is beyond the largest double");
       }
       vertices.push_back(position);

@@ -625,7 +625,8 @@ void add_judgement(Calls& calls, const Made& m) {
 const std::set<std::string> kWithoutDoubles = {
     // clang-format off
     "PointSet::row_count", "PointSet::merged_duplicates", "PointSet::left_out", "PointSet::size", "PointSet::empty",
-    "PointSet::points", "PointSet::name", "PointSet::ordinal_of_row", "PointSet::repeated_classes", "class_names",
+    "PointSet::points", "PointSet::name", "PointSet::ordinal_of_row", "PointSet::at_row", "PointSet::repeated_classes",
+    "class_names", "Point::coordinates", "Point::is_finite",
     "AtomNames::add", "AtomNames::size", "AtomNames::empty", "AtomNames::residue_text", "AtomNames::text",
     "AtomNames::residue_texts", "to_text", "Delaunay::points", "Delaunay::dimension", "Delaunay::triangulation", "VoronoiDiagram::points",
     "VoronoiDiagram::dimension", "VoronoiDiagram::delaunay_cells", "usual_most_cells", "VoronoiDiagram::faces",

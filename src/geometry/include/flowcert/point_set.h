@@ -4,6 +4,8 @@
 // Source: spec clauses FC-IN-01 to FC-IN-04.
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -20,6 +22,8 @@ struct Point {
   double y = 0;
   double z = 0;
 
+  [[nodiscard]] std::array<double, 3> coordinates() const { return {x, y, z}; }
+  [[nodiscard]] bool is_finite() const { return std::isfinite(x) && std::isfinite(y) && std::isfinite(z); }
   friend bool operator==(const Point&, const Point&) = default;
 };
 
@@ -55,6 +59,8 @@ class PointSet {
   [[nodiscard]] PointId name(std::size_t ordinal) const { return names_[ordinal]; }
   // The ordinal of the class that a row belongs to.
   [[nodiscard]] std::size_t ordinal_of_row(PointId row) const { return class_of_row_[row]; }
+  // The point that a row has.
+  [[nodiscard]] const Point& at_row(PointId row) const { return points_[class_of_row_[row]]; }
 
   // The classes of more than one row, each ascending, ordered by name. O(row_count()).
   [[nodiscard]] std::vector<std::vector<PointId>> repeated_classes() const;
