@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "flowcert/length_bound.h"
 #include "flowcert/rational.h"
-#include "flowcert/saddle_radii.h"
 
 namespace flowcert_tests {
 

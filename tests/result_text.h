@@ -94,8 +94,6 @@ inline auto fields(const PersistencePair& p) { return std::tie(p.dimension, p.bi
 inline auto fields(const HistogramBin& b) { return std::tie(b.from, b.to, b.count); }
 inline auto fields(const HistogramValley& v) { return std::tie(v.bin, v.below, v.beyond); }
 inline auto fields(const AutomaticThreshold& t) { return std::tie(t.valley); }
-inline auto fields(const LengthBound& b) { return std::tie(b.unit, b.number); }
-inline auto fields(const LengthThreshold& t) { return std::tie(t.squared_length, t.automatic); }
 inline auto fields(const MedialPoints& m) { return std::tie(m.records, m.automatic_persistence, m.automatic_radius); }
 inline auto fields(const PocketPersistence& p) { return std::tie(p.square, p.automatic); }
 inline auto fields(const PocketSurface& s) { return std::tie(s.vertices, s.triangles); }

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "cli/layer.h"
-#include "flowcert/saddle_radii.h"
+#include "flowcert/length_bound.h"
 #include "io/json_fields.h"
 
 namespace flowcert::cli {

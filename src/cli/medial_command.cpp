@@ -23,6 +23,7 @@
 #include "flowcert/unstable_surface_export.h"
 #include "flowcert/vtk_exports.h"
 #include "io/json_fields.h"
+#include "io/length_text.h"
 #include "io/number_text.h"
 #include "io/output_file.h"
 
@@ -44,8 +45,8 @@ struct MedialOptions {
 
 MedialChoice choice_of(const MedialOptions& options) {
   MedialChoice choice;
-  if (options.persistence) choice.persistence_above = LengthBound::of(*options.persistence, "--persistence", 1);
-  if (options.radius) choice.radius_above = LengthBound::of(*options.radius, "--radius", 1);
+  if (options.persistence) choice.persistence_above = io::length_bound_of(*options.persistence, "--persistence", 1);
+  if (options.radius) choice.radius_above = io::length_bound_of(*options.radius, "--radius", 1);
   if (options.angle) {
     choice.angle_above = io::claimed_number(*options.angle, io::PlainInteger::kExact, {"--angle", 1}).value;
     if (*choice.angle_above < 0 || *choice.angle_above > 180) {

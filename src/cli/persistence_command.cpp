@@ -19,12 +19,11 @@
 #include "cli/progress.h"
 #include "cli/table.h"
 #include "flowcert/flow_complex.h"
-#include "flowcert/saddle_radii.h"
 #include "geometry/difference_of_roots.h"
 #include "io/json_fields.h"
 #include "io/ordered_text.h"
 #include "io/output_file.h"
-#include "morse/value_order.h"
+#include "morse/saddle_radii.h"
 
 namespace flowcert::cli {
 
@@ -159,7 +158,7 @@ std::string distance_text(const Rational& squared, const FixedDecimals& decimals
 void print_longest_pairs(const Input& input, const FlowComplex& complex) {
   const Persistence& persistence = complex.persistence();
   const StationaryPoints& stationary = complex.stationary();
-  const FixedDecimals decimals(squared_spacing(complex));
+  const FixedDecimals decimals(morse::squared_spacing(complex));
   const auto place = [&](std::size_t record) {
     return contact_text(stationary, record) + atoms_of_contact(input.file.atoms, stationary.contact(record));
   };

@@ -14,9 +14,8 @@
 #include "cli/table.h"
 #include "flowcert/pocket_persistence.h"
 #include "flowcert/rounded_sphere.h"
-#include "flowcert/saddle_radii.h"
 #include "geometry/difference_of_roots.h"
-#include "morse/value_order.h"
+#include "morse/saddle_radii.h"
 
 namespace flowcert::cli {
 
@@ -47,7 +46,7 @@ class Report {
         pockets_(report.what.pockets),
         probe_(report.what.probe),
         atoms_(report.what.atoms),
-        spacing_(squared_spacing(complex_)),
+        spacing_(morse::squared_spacing(complex_)),
         decimals_(spacing_),
         order_(by_depth(pockets_)) {
     if (!report.shows_all && order_.size() > kShownPockets) order_.resize(kShownPockets);

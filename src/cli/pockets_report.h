@@ -7,8 +7,8 @@
 
 #include "cli/command.h"
 #include "cli/layer.h"
+#include "flowcert/length_bound.h"
 #include "flowcert/pockets.h"
-#include "flowcert/saddle_radii.h"
 #include "flowcert/write_pockets.h"
 
 namespace flowcert::cli {

@@ -39,7 +39,7 @@ std::size_t room_for_radius_bars(const std::vector<HistogramBin>& bins, std::siz
 
 }  // namespace
 
-void print_radius_bars(const SaddleRadii& radii, const std::optional<Rational>& squared_threshold) {
+void print_radius_bars(const morse::SaddleRadii& radii, const std::optional<Rational>& squared_threshold) {
   const std::vector<HistogramBin> bins = radii.histogram();
   print_wrapped("\nradii of the index-2 saddles, in multiples of the spacing; the bars are logarithmic", 2);
   if (bins.empty()) {

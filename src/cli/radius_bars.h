@@ -4,11 +4,11 @@
 #include <optional>
 
 #include "cli/layer.h"
-#include "flowcert/saddle_radii.h"
+#include "morse/saddle_radii.h"
 
 namespace flowcert::cli {
 
 // A line for each bin. The one that has the threshold is marked, or the nearest one if none has it.
-void print_radius_bars(const SaddleRadii& radii, const std::optional<Rational>& squared_threshold);
+void print_radius_bars(const morse::SaddleRadii& radii, const std::optional<Rational>& squared_threshold);
 
 }  // namespace flowcert::cli

@@ -18,6 +18,7 @@
 #include "flowcert/surface.h"
 #include "io/json_fields.h"
 #include "io/output_file.h"
+#include "morse/saddle_radii.h"
 
 namespace flowcert::cli {
 
@@ -68,12 +69,13 @@ Counts counts_of(const FlowComplex& complex, const std::vector<std::size_t>& set
   return counts;
 }
 
-SaddleRadii radii_of(const FlowComplex& complex) {
+morse::SaddleRadii radii_of(const FlowComplex& complex) {
   const ProgressLine progress("computing");
-  return SaddleRadii(complex);
+  return morse::SaddleRadii(complex);
 }
 
-SelectedSets selected_of(const FlowComplex& complex, const SurfaceSelection& selection, const SaddleRadii& radii) {
+SelectedSets selected_of(const FlowComplex& complex, const SurfaceSelection& selection,
+                         const morse::SaddleRadii& radii) {
   const ProgressLine progress("computing");
   return selection.select(complex, radii);
 }
@@ -95,7 +97,7 @@ void print_edges(const TriangleEdges& edges) {
   print_row("components without orientation", with_commas(edges.without_orientation), "no consistent one is possible");
 }
 
-void print_thresholds(const SurfaceThresholds& thresholds, const SaddleRadii& radii) {
+void print_thresholds(const SurfaceThresholds& thresholds, const morse::SaddleRadii& radii) {
   const auto& spacing = radii.squared_spacing();
   if (!spacing) return;
   print_row("spacing", rough_root_text(*spacing), "median of nearest neighbours");
@@ -112,7 +114,7 @@ void print_thresholds(const SurfaceThresholds& thresholds, const SaddleRadii& ra
 }
 
 void print_table(const SurfaceOptions& options, const Input& input, const Counts& counts,
-                 const SurfaceThresholds& thresholds, const SaddleRadii& radii) {
+                 const SurfaceThresholds& thresholds, const morse::SaddleRadii& radii) {
   print_wrapped(fmt::format("{} ({})", display_name(options.input), input.file.format));
   print_row("points", with_commas(input.points.row_count()));
   print_row("surfaces S2", with_commas(counts.sets), "of all index-2 saddles");
@@ -141,7 +143,7 @@ Json edges_field(const TriangleEdges& edges) {
   return field;
 }
 
-Json radii_field(const SaddleRadii& radii) {
+Json radii_field(const morse::SaddleRadii& radii) {
   Json field = Json::array();
   for (const HistogramBin& bin : radii.histogram()) {
     Json entry;
@@ -154,7 +156,7 @@ Json radii_field(const SaddleRadii& radii) {
 }
 
 void print_json(const SurfaceOptions& options, const Input& input, const FlowComplex& complex, const Counts& counts,
-                const SurfaceThresholds& thresholds, const SaddleRadii& radii) {
+                const SurfaceThresholds& thresholds, const morse::SaddleRadii& radii) {
   Json json = header_fields("flowcert-surface", 2, input.points);
   add_counts(json, input.points, complex.stationary());
   json["select"] = options.selections;
@@ -180,7 +182,7 @@ void write_surface(const SurfaceOptions& options) {
   if (is_streamed && options.json) throw InvalidInput("-o - and --json would both write to standard output");
   const Input input = read_input(options.input, options.reading);
   const FlowComplex complex(input.points, complex_options(input, options.threads), part_progress());
-  const SaddleRadii radii = radii_of(complex);
+  const morse::SaddleRadii radii = radii_of(complex);
   const auto [sets, thresholds] = selected_of(complex, selection, radii);
   const SurfaceMesh mesh = mesh_of(options, complex, sets);
   write_mesh(options.output, mesh, made_by_text("flowcert-surface", 1, input.points));

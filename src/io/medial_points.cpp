@@ -5,12 +5,12 @@
 #include <boost/multiprecision/mpfr.hpp>
 #include <utility>
 
-#include "flowcert/saddle_radii.h"
 #include "geometry/floating_point.h"
 #include "geometry/rational_point.h"
 #include "io/coordinate_rounding.h"
 #include "io/layer.h"
-#include "morse/value_order.h"
+#include "morse/length_threshold.h"
+#include "morse/saddle_radii.h"
 
 namespace flowcert {
 
@@ -78,14 +78,15 @@ std::vector<std::size_t> longer_ones(const FlowComplex& complex, const std::vect
   for (const std::size_t record : candidates) ends.push_back(pairs[record]);
   const ValueOrder order = length_order(complex.persistence().squared_distances(), ends);
   return those_above(candidates, order,
-                     bound.threshold(order, squared_spacing(complex), length_rounding(complex.points())), automatic);
+                     threshold_of(bound, order, squared_spacing(complex), length_rounding(complex.points())),
+                     automatic);
 }
 
 std::vector<std::size_t> farther_ones(const FlowComplex& complex, const std::vector<std::size_t>& candidates,
                                       const LengthBound& bound, std::optional<AutomaticThreshold>& automatic) {
   const SquaredDistances values(complex.points(), complex.stationary());
   const ValueOrder order = radius_order(values, candidates);
-  return those_above(candidates, order, bound.threshold(order, squared_spacing(complex)), automatic);
+  return those_above(candidates, order, threshold_of(bound, order, squared_spacing(complex)), automatic);
 }
 
 }  // namespace

@@ -3,12 +3,12 @@
 #include <numeric>
 #include <vector>
 
-#include "flowcert/length_bound.h"
-#include "flowcert/saddle_radii.h"
 #include "geometry/floating_point.h"
 #include "io/coordinate_rounding.h"
 #include "io/layer.h"
-#include "morse/value_order.h"
+#include "io/length_text.h"
+#include "morse/length_threshold.h"
+#include "morse/saddle_radii.h"
 
 namespace flowcert {
 
@@ -42,13 +42,13 @@ std::vector<PairEnds> pairs_of_maxima(const MergeTrees& trees) {
 
 PocketPersistence pocket_persistence(const FlowComplex& complex, const std::string& text, const std::string& option) {
   const geometry::IeeeDoubles ieee;
-  const LengthBound bound = LengthBound::of(text, option, 1);
+  const LengthBound bound = length_bound_of(text, option, 1);
   if (bound.number < 0) throw InvalidInput(option + ": not 0 or more: " + text);
   if (bound.unit == LengthBound::Unit::kInput) return {bound.number * bound.number, {}};
   const MergeTrees& trees = complex.merge_trees();
   const ValueOrder lengths = length_order(trees.squared_distances(), pairs_of_maxima(trees));
   const std::optional<Rational> spacing = squared_spacing(complex);
-  auto [square, automatic] = bound.threshold(lengths, spacing, length_rounding(complex.points()));
+  auto [square, automatic] = threshold_of(bound, lengths, spacing, length_rounding(complex.points()));
   if (automatic && !automatic->valley) square = spacing.value_or(0) * kShallowInSpacings * kShallowInSpacings;
   return {square.value_or(0), automatic};
 }

@@ -6,9 +6,11 @@
 
 #include "geometry/floating_point.h"
 #include "io/coordinate_rounding.h"
+#include "io/length_text.h"
 #include "io/line_reader.h"
 #include "io/number_text.h"
-#include "morse/value_order.h"
+#include "morse/length_threshold.h"
+#include "morse/saddle_radii.h"
 
 namespace flowcert {
 
@@ -62,7 +64,7 @@ SurfaceSelection::SurfaceSelection(const std::vector<std::string>& expressions) 
 void SurfaceSelection::add(const std::string& expression, std::size_t option) {
   const LinePlace place = {"--select", option};
   const std::string text = without_blanks(expression);
-  const auto bound_of = [&](std::string_view number) { return LengthBound::of(number, "--select", option); };
+  const auto bound_of = [&](std::string_view number) { return length_bound_of(number, "--select", option); };
   const std::string_view rest(text);
   if (rest.starts_with(kPersistence)) {
     persistence_above_.push_back(bound_of(rest.substr(kPersistence.size())));
@@ -96,6 +98,11 @@ std::optional<Rational> SurfaceSelection::squared_radius_of(const LengthBound& b
   return automatic->valley ? std::optional(radii.squared_radius(automatic->valley->below)) : std::nullopt;
 }
 
+SelectedSets SurfaceSelection::select(const FlowComplex& complex) const {
+  const geometry::IeeeDoubles ieee;
+  return select(complex, SaddleRadii(complex));
+}
+
 SelectedSets SurfaceSelection::select(const FlowComplex& complex, const SaddleRadii& radii) const {
   const geometry::IeeeDoubles ieee;
   SelectedSets selected;
@@ -113,7 +120,7 @@ SelectedSets SurfaceSelection::select(const FlowComplex& complex, const SaddleRa
     const ValueOrder& order = lengths.order();
     for (const LengthBound& bound : persistence_above_) {
       const auto [value, automatic] =
-          bound.threshold(order, radii.squared_spacing(), length_rounding(complex.points()));
+          threshold_of(bound, order, radii.squared_spacing(), length_rounding(complex.points()));
       if (value) length = length ? std::max(*length, *value) : *value;
       if (automatic) automatic_length = automatic;
     }
@@ -135,7 +142,7 @@ std::vector<std::size_t> SurfaceSelection::sets(const FlowComplex& complex) cons
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
     return all;
   }
-  return select(complex, SaddleRadii(complex)).sets;
+  return select(complex).sets;
 }
 
 }  // namespace flowcert

@@ -1,20 +1,14 @@
-#include "flowcert/saddle_radii.h"
+#include "morse/saddle_radii.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
-#include <utility>
 
-#include "geometry/floating_point.h"
 #include "morse/log_histogram.h"
 
-namespace flowcert {
-
-using namespace morse;
+namespace flowcert::morse {
 
 namespace {
-
-// ---- The spacing ----
 
 // For each sample: the critical point of index 1 that is nearest to it.
 std::optional<Rational> squared_spacing_of(const FlowComplex& complex, const SquaredDistances& values) {
@@ -39,58 +33,33 @@ std::optional<Rational> squared_spacing_of(const FlowComplex& complex, const Squ
   return 4 * values.exact(middle->record);
 }
 
+ValueOrder order_of(const FlowComplex& complex, const SquaredDistances& values) {
+  const auto& counts = complex.stationary().critical_counts();
+  std::vector<std::size_t> records(counts[2]);
+  std::iota(records.begin(), records.end(), std::size_t{counts[0] + counts[1]});
+  return radius_order(values, std::move(records));
+}
+
 }  // namespace
 
-// ---- The order ----
-
-struct SaddleRadii::Parts {
-  Parts(const FlowComplex& complex, SquaredDistances&& distances)
-      : values(std::move(distances)), spacing(squared_spacing_of(complex, values)), order(order_of(complex)) {}
-
-  [[nodiscard]] ValueOrder order_of(const FlowComplex& complex) const {
-    const auto& counts = complex.stationary().critical_counts();
-    std::vector<std::size_t> records(counts[2]);
-    std::iota(records.begin(), records.end(), std::size_t{counts[0] + counts[1]});
-    return radius_order(values, std::move(records));
-  }
-
-  SquaredDistances values;
-  std::optional<Rational> spacing;
-  ValueOrder order;
-};
-
 std::optional<Rational> squared_spacing(const FlowComplex& complex) {
-  const geometry::IeeeDoubles ieee;
   return squared_spacing_of(complex, SquaredDistances(complex.points(), complex.stationary()));
 }
 
 SaddleRadii::SaddleRadii(const FlowComplex& complex)
-    : parts_(geometry::in_ieee_doubles([&] {
-        return std::make_unique<Parts>(complex, SquaredDistances(complex.points(), complex.stationary()));
-      })) {}
-SaddleRadii::~SaddleRadii() = default;
-SaddleRadii::SaddleRadii(SaddleRadii&&) noexcept = default;
-SaddleRadii& SaddleRadii::operator=(SaddleRadii&&) noexcept = default;
+    : values_(complex.points(), complex.stationary()),
+      spacing_(squared_spacing_of(complex, values_)),
+      order_(order_of(complex, values_)) {}
 
-std::size_t SaddleRadii::size() const { return parts_->order.size(); }
-Rational SaddleRadii::squared_radius(std::size_t place) const { return parts_->order.exact(place).square; }
-std::size_t SaddleRadii::number(std::size_t place) const { return parts_->order.at(place); }
-std::size_t SaddleRadii::count_below(const Rational& squared_bound) const {
-  const geometry::IeeeDoubles ieee;
-  return parts_->order.count_below(squared_bound);
-}
+// Where there is a circle, there are several samples.
 std::vector<HistogramBin> SaddleRadii::histogram() const {
-  const geometry::IeeeDoubles ieee;
-  // Where there is a circle, there are several samples.
-  return size() == 0 ? std::vector<HistogramBin>() : log_histogram(parts_->order, parts_->spacing.value());
+  return size() == 0 ? std::vector<HistogramBin>() : log_histogram(order_, spacing_.value());
 }
-const std::optional<Rational>& SaddleRadii::squared_spacing() const { return parts_->spacing; }
 
 std::optional<HistogramValley> SaddleRadii::valley() const {
-  const geometry::IeeeDoubles ieee;
   if (size() == 0) return std::nullopt;
-  const auto found = placed_valley(parts_->order, parts_->spacing.value());
+  const auto found = placed_valley(order_, spacing_.value());
   return found ? std::optional(found->valley) : std::nullopt;
 }
 
-}  // namespace flowcert
+}  // namespace flowcert::morse

@@ -79,6 +79,7 @@ LIKELY = {
     "src/morse/value_order": ["value_order_test", "surface_choice_test"],
     "src/io/surface_selection": ["surface_choice_test"],
     "src/morse/saddle_radii": ["surface_choice_test"],
+    "src/morse/length_threshold": ["surface_choice_test"],
     "src/io/triangle_orientation": ["oriented_surfaces_test"],
     "src/io/medial_points": ["medial_agreement_test"],
     "src/morse/log_histogram": ["log_histogram_test"],

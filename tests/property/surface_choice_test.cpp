@@ -18,6 +18,7 @@
 #include "fuzz/properties/stationary_comparison.h"
 #include "geometry/difference_of_roots.h"
 #include "io/coordinate_rounding.h"
+#include "morse/saddle_radii.h"
 #include "tests/cites.h"
 #include "tests/exact_valley.h"
 #include "tests/property/orbit_subject.h"
@@ -75,7 +76,7 @@ struct ChoicesSeen {
 template <typename IsChosen>
 void require_choice(const fuzz::Input& input, const FlowComplex& complex, const std::string& expression,
                     const IsChosen& is_chosen, ChoicesSeen& seen) {
-  const SaddleRadii radii(complex);
+  const morse::SaddleRadii radii(complex);
   const std::vector<std::size_t> sets = SurfaceSelection({expression}).select(complex, radii).sets;
   require_none(input, sets == SurfaceSelection({expression}).sets(complex) ? "" : "sets() chooses others", expression);
   std::vector<std::size_t> expected;
@@ -161,9 +162,10 @@ void require_lengths(const fuzz::Input& input, const FlowComplex& complex, const
 }
 
 void require_histogram(const fuzz::Input& input, const FlowComplex& complex, const ExactLists& exact) {
-  const SaddleRadii radii(complex);
+  const morse::SaddleRadii radii(complex);
   require_none(input, radii.squared_spacing() == exact.squared_spacing ? "" : "the spacing is another one", "");
-  require_none(input, squared_spacing(complex) == exact.squared_spacing ? "" : "the spacing alone is another one", "");
+  require_none(input,
+               morse::squared_spacing(complex) == exact.squared_spacing ? "" : "the spacing alone is another one", "");
   const std::vector<HistogramBin> bins = radii.histogram();
   const std::vector<HistogramBin> expected =
       flowcert_tests::exact_histogram(exact.squared_radii, exact.squared_spacing.value_or(1));

@@ -25,7 +25,6 @@
 #include "flowcert/profile.h"
 #include "flowcert/region_exports.h"
 #include "flowcert/reproducibility.h"
-#include "flowcert/saddle_radii.h"
 #include "flowcert/stable_regions.h"
 #include "flowcert/surface_area.h"
 #include "flowcert/unstable_surface_export.h"
@@ -34,7 +33,6 @@
 #include "flowcert/write_persistence.h"
 #include "flowcert/write_pockets.h"
 #include "flowcert/write_stationary_points.h"
-#include "morse/value_order.h"
 #include "tests/cites.h"
 #include "tests/result_text.h"
 
@@ -471,32 +469,17 @@ void add_choices(Calls& calls, const Made& m) {
   const ClipBox box(m.points, 3);
   calls.add("ClipBox::contains", [&, box] { return box.contains(m.rows[0]); });
   calls.add("ClipBox::exit", [&, box] { return box.exit(m.points[0], {Rational(1) / 3, 1, Rational(2) / 7}); });
-  calls.add("LengthBound::of", [] { return LengthBound::of("0.7spacing", "--option", 1); });
-  const LengthBound third = LengthBound::of("0.3", "--option", 1);
-  calls.add("LengthBound::threshold", [=] {
-    return third.threshold(morse::ValueOrder({}, {}, [](std::size_t) { return geometry::RootDifference{0}; }),
-                           Rational(1) / 9);
-  });
   calls.add("medial_points", [&] {
     return medial_points(m.complex, {.persistence_above = {}, .angle_above = Rational(70), .radius_above = {}});
   });
   calls.add("is_above_angle", [] { return is_above_angle(Rational(1) / 3, Rational(705) / 10); });
   calls.add("pocket_persistence", [&] { return pocket_persistence(m.complex, "0.7spacing", "--persistence"); });
-  calls.add("squared_spacing", [&] { return squared_spacing(m.complex); });
-  const auto radii = std::make_shared<SaddleRadii>(m.complex);
-  calls.add(
-      "SaddleRadii::SaddleRadii", [&] { return std::make_unique<SaddleRadii>(m.complex); },
-      [](const auto& made) { return result_text(made->squared_spacing()) + result_text(made->number(0)); });
-  calls.add("SaddleRadii::squared_radius", [=] { return radii->squared_radius(0); });
-  calls.add("SaddleRadii::count_below", [=] { return radii->count_below(radii->squared_radius(0) * 2); });
-  calls.add("SaddleRadii::histogram", [=] { return radii->histogram(); });
-  calls.add("SaddleRadii::valley", [=] { return radii->valley(); });
   const std::vector<std::string> words = {"index2-radius<1.7spacing", "persistence>0.001"};
   calls.add(
       "SurfaceSelection::SurfaceSelection", [=] { return SurfaceSelection(words); },
       [&](const SurfaceSelection& made) { return result_text(made.sets(m.complex)); });
   const SurfaceSelection selection(words);
-  calls.add("SurfaceSelection::select", [&, selection, radii] { return selection.select(m.complex, *radii); });
+  calls.add("SurfaceSelection::select", [&, selection] { return selection.select(m.complex); });
   calls.add("SurfaceSelection::sets", [&, selection] { return selection.sets(m.complex); });
   calls.add("coordinates_sha256", [&] { return coordinates_sha256(m.points); });
 }
@@ -652,7 +635,7 @@ const std::set<std::string> kWithoutDoubles = {
     "Truth::contact", "pair_counts", "Profile::state", "Profile::set", "Profile::is_exact", "Profile::set_exact",
     "Profile::set_indices", "Profile::join", "Profile::parts", "Profile::grade", "profile_of",
     "require_rows", "sentence_of", "ClipBox::low", "ClipBox::high", "is_exact_pair", "reproducibility", "made_by_text",
-    "SaddleRadii::size", "SaddleRadii::number", "SaddleRadii::squared_spacing", "PersistenceDiagram::complex",
+    "PersistenceDiagram::complex",
     "PersistenceDiagram::pairs", "PersistenceDiagram::has_zero", "Probe::squared_radius",
     // clang-format on
 };

@@ -12,10 +12,10 @@
 
 #include "flowcert/pocket_persistence.h"
 #include "flowcert/pocket_surfaces.h"
-#include "flowcert/saddle_radii.h"
 #include "flowcert/surface_area.h"
 #include "flowcert/write_pockets.h"
 #include "geometry/difference_of_roots.h"
+#include "morse/saddle_radii.h"
 #include "oracle/roots.h"
 #include "tests/cites.h"
 
@@ -252,7 +252,7 @@ TEST(PocketPersistence, HasQuantilesOfTheLengthsOfVoids) {
   EXPECT_EQ(longest, geometry::square_from_above(lengths.back()));
   EXPECT_EQ(pocket_persistence(complex, "q0", "--x").square, 0);
   EXPECT_EQ(pocket_persistence(complex, "0.25", "--x").square, Rational(1, 16));
-  EXPECT_EQ(pocket_persistence(complex, "2spacing", "--x").square, 4 * squared_spacing(complex).value());
+  EXPECT_EQ(pocket_persistence(complex, "2spacing", "--x").square, 4 * morse::squared_spacing(complex).value());
   EXPECT_EQ(Pockets(complex.merge_trees(), longest).size(), 0U);
   EXPECT_THROW((void)pocket_persistence(complex, "-1", "--x"), InvalidInput);
   EXPECT_THROW((void)pocket_persistence(complex, "2spacing^2", "--x"), InvalidInput);
@@ -264,7 +264,7 @@ TEST(PocketPersistence, WithoutAValleyIsHalfTheSpacing) {
   const PocketPersistence found = pocket_persistence(complex, "auto", "--x");
   ASSERT_TRUE(found.automatic.has_value());
   EXPECT_FALSE(found.automatic->valley.has_value());
-  EXPECT_EQ(found.square, squared_spacing(complex).value() / 4);
+  EXPECT_EQ(found.square, morse::squared_spacing(complex).value() / 4);
 }
 
 TEST(Newick, OfADeepTreeIsWritten) {

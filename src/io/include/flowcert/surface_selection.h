@@ -10,10 +10,14 @@
 #include <string>
 #include <vector>
 
+#include "flowcert/flow_complex.h"
 #include "flowcert/length_bound.h"
-#include "flowcert/saddle_radii.h"
 
 namespace flowcert {
+
+namespace morse {
+class SaddleRadii;
+}  // namespace morse
 
 // What the conditions of a selection came to; nothing where there is no such condition, or where it holds for all.
 struct SurfaceThresholds {
@@ -39,8 +43,10 @@ class SurfaceSelection {
   // anything else.
   explicit SurfaceSelection(const std::vector<std::string>& expressions);
 
-  // Conditions on persistence need the whole complex. The radii must be of the same complex.
-  [[nodiscard]] SelectedSets select(const FlowComplex& complex, const SaddleRadii& radii) const;
+  // Conditions on persistence need the whole complex.
+  [[nodiscard]] SelectedSets select(const FlowComplex& complex) const;
+  // With radii of the same complex, for parts of this library that have them.
+  [[nodiscard]] SelectedSets select(const FlowComplex& complex, const morse::SaddleRadii& radii) const;
   // The chosen points alone, by number in StableManifolds, ascending.
   [[nodiscard]] std::vector<std::size_t> sets(const FlowComplex& complex) const;
 
@@ -49,7 +55,8 @@ class SurfaceSelection {
 
   // option: the ordinal of the expression, from 1, for messages.
   void add(const std::string& expression, std::size_t option);
-  [[nodiscard]] static std::optional<Rational> squared_radius_of(const LengthBound& bound, const SaddleRadii& radii,
+  [[nodiscard]] static std::optional<Rational> squared_radius_of(const LengthBound& bound,
+                                                                 const morse::SaddleRadii& radii,
                                                                  std::optional<AutomaticThreshold>& automatic);
 
   std::vector<LengthBound> radii_below_;
