@@ -18,6 +18,8 @@ namespace flowcert::fuzz {
 namespace {
 
 using namespace geometry;
+// The generators have their own for integer points, which would hide these.
+using geometry::cross, geometry::dot;
 
 // A result and its rows, as in Mutant.
 struct Change {
