@@ -54,6 +54,8 @@ EQUIVALENT = {
     "Judge.check_limits: dot(*(cross(minus(q, p), minus(r, p)) for p, q, r in sides)) < 0 -> "
     "dot(*(cross(minus(q, p), minus(r, p)) for p, q, r in sides)) <= 0":
         "Both planes are that of the contact set, and three points of a sphere span one.",
+    "run_command: run.wait() -> pass":
+        "What has been killed is waited for, so that it leaves the table of processes. No answer depends on it.",
     "read_csv: len(fields) > 4 -> len(fields) >= 4": "A line whose fourth field is empty is refused either way.",
     "number: 0 -> 1": "An exponent of 1 is as good as none: it is at most 700.",
     "roots_differ_by: left <= 0 -> left < 0": "Where it is 0, so is its square, and 4 a b is not less.",
