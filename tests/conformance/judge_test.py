@@ -1131,7 +1131,7 @@ class Runs(unittest.TestCase):
                       text)
         self.assertTrue(text.endswith(f"conforms to 1.1, points + U2 + S2, exact ({asked} of {total} vectors)\n"), text)
         self.assertRegex(text, r"(?m)^  group critical-points: +2 conforms$")
-        self.assertNotIn("undecided", text)
+        self.assertNotIn("not decided", text)
 
     def test_a_wrong_program_does_not(self):
         status, text = self.run_judge("--against", "cat {in} >/dev/null; echo '# nothing'", "--most", 1)
@@ -1184,6 +1184,13 @@ class Runs(unittest.TestCase):
         self.assertEqual(status, 1)
         self.assertIn("  level 2: wrong-position [FC-CRIT-01]: line 7\n", text)
         self.assertTrue(text.endswith("does not conform to 1.1 (1 of 14 vectors)\n"), text)
+
+    def test_what_is_not_decided_is_printed(self):
+        self.claim.write_text(text_of(HEADER[:-1] + ', "indices": [3]}', {"index": 3, "contact": [0, 1, 2, 3]}))
+        status, text = run_main("--case", "cospherical-clusters-0001", "--claim", self.claim)
+        self.assertEqual(status, 0)
+        self.assertRegex(text, r"(?m)^judged: 1 claims on level 1, .*, 0 claims on level 4\nnot decided: 1 cases\n"
+                         r"\n1 cases: 0 conform, 0 where determined, 1 perturbed, 0 negative\nis perturbed under 1.1")
 
     def test_what_is_not_said_otherwise(self):
         options = judge.parser_of_options().parse_args([])
@@ -1247,6 +1254,9 @@ class Runs(unittest.TestCase):
         one = json.loads(text)["cases"][0]
         self.assertEqual((status, one["outcome"], one["message"]), (0, "perturbed", f"another orbit from {start}"))
         self.assertEqual([orbit["outcome"] for orbit in one["orbits"]].count("perturbed"), 1)
+        for command in (right, "exit 4 || {start}"):  # the first negative outcome stays
+            status, text = self.run_judge(*words[:3], "echo '# nothing'", words[4], command, "--json")
+            self.assertEqual(json.loads(text)["cases"][0]["outcome"], "fails")
         starts = [case for case in CASES.values() if case.get("refused") == "start"]
         status, text = self.run_judge("--case", starts[0]["id"], "--against", "true", "--orbits-against",
                                       "exit 1 # {start}", "--json")
