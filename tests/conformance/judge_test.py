@@ -1132,6 +1132,8 @@ class Runs(unittest.TestCase):
         self.assertTrue(text.endswith(f"conforms to 1.1, points + U2 + S2, exact ({asked} of {total} vectors)\n"), text)
         self.assertRegex(text, r"(?m)^  group critical-points: +2 conforms$")
         self.assertNotIn("not decided", text)
+        self.assertTrue(text.startswith("  flag "), text)
+        self.assertEqual(self.run_judge("--against", "exit 1")[0], 1)  # what is invalid is properly refused
 
     def test_a_wrong_program_does_not(self):
         status, text = self.run_judge("--against", "cat {in} >/dev/null; echo '# nothing'", "--most", 1)
@@ -1179,6 +1181,9 @@ class Runs(unittest.TestCase):
         self.assertEqual(signal.getsignal(signal.SIGPIPE), signal.SIG_DFL)
         status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim, "--tolerance", "0")
         self.assertIn("approximate within 0.0 (1 of ", text)
+        self.claim.write_text(text_of(HEADER[:-1] + ', "points": 4, "indices": [3]}'))
+        status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim)
+        self.assertIn("  level 1: wrong-counts [FC-IN-03]: the contact set of no point\n", text)
         self.claim.write_text("\n".join(Text.RIGHT[1:] + ["0,7,7,7"]))
         status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim, "--tolerance", "1e-3")
         self.assertEqual(status, 1)
