@@ -11,6 +11,7 @@
 #include "fuzz/campaign/mutation.h"
 #include "fuzz/campaign/shrinking.h"
 #include "fuzz/inputs/input.h"
+#include "geometry/mixed_bits.h"
 
 namespace flowcert::fuzz {
 
@@ -61,7 +62,7 @@ class Batch {
     const std::uint64_t seed = seed_of(number);
     const FreshTrial drawn = drawn_case(number);
     for (std::size_t k = 0; k < properties_.size(); ++k) {
-      const bool is_its_share = mixed(seed ^ (kShareSalt + k)) % properties_[k].one_in == 0;
+      const bool is_its_share = geometry::mixed_bits(seed ^ (kShareSalt + k)) % properties_[k].one_in == 0;
       if (is_its_share) hold(number, drawn, properties_[k]);
       if (is_cut_off_) return;
     }
@@ -74,7 +75,9 @@ class Batch {
     observer_.has_done(number, drawn.family);
   }
 
-  [[nodiscard]] std::uint64_t seed_of(std::size_t number) const { return mixed(mixed(plan_.seed) ^ number); }
+  [[nodiscard]] std::uint64_t seed_of(std::size_t number) const {
+    return geometry::mixed_bits(geometry::mixed_bits(plan_.seed) ^ number);
+  }
 
   FreshTrial drawn_case(std::size_t number) {
     FreshTrial drawn = drawn_trial(seed_of(number));
@@ -83,19 +86,19 @@ class Batch {
   }
 
   FreshTrial drawn_trial(std::uint64_t seed) {
-    const bool is_mutant = mixed(seed ^ kSourceSalt) % 100 < plan_.searched_percent;
+    const bool is_mutant = geometry::mixed_bits(seed ^ kSourceSalt) % 100 < plan_.searched_percent;
     if (!is_mutant || corpus_.empty()) return mix_.draw(seed);
-    const Input& parent = corpus_[mixed(seed ^ kParentSalt) % corpus_.size()];
+    const Input& parent = corpus_[geometry::mixed_bits(seed ^ kParentSalt) % corpus_.size()];
     Mutant mutant{parent, "", {}};
-    std::uint64_t dice = mixed(seed ^ kMovesSalt);
+    std::uint64_t dice = geometry::mixed_bits(seed ^ kMovesSalt);
     for (std::uint64_t moves = 1 + dice % kMostMoves; moves > 0; --moves) {
-      dice = mixed(dice);
+      dice = geometry::mixed_bits(dice);
       Mutant next = mutated(mutant.input, dice);
       if (next.input.rows.size() < plan_.fewest_rows || next.input.rows.size() > plan_.most_rows) break;
       mutant = std::move(next);
       ++result_.tally.by_mutation[mutant.by];
     }
-    return {{std::move(mutant.input), TrialMix::draw_start(mixed(seed ^ kStartSalt))}, kMutant};
+    return {{std::move(mutant.input), TrialMix::draw_start(geometry::mixed_bits(seed ^ kStartSalt))}, kMutant};
   }
 
   void look_at_signature(std::size_t number, const FreshTrial& drawn) {

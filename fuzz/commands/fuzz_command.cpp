@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "certify/programs/limited_program.h"
 #include "cli/progress.h"
 #include "fuzz/campaign/worker_processes.h"
 #include "fuzz/commands/commands.h"
@@ -17,7 +18,6 @@
 #include "fuzz/commands/fuzz_progress.h"
 #include "fuzz/commands/fuzz_report.h"
 #include "fuzz/commands/known_findings.h"
-#include "fuzz/judge/limited_program.h"
 
 namespace flowcert::commands {
 

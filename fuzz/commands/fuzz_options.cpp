@@ -14,12 +14,13 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "certify/programs/command_run.h"
+#include "certify/programs/limited_program.h"
+#include "cli/checked_words.h"
 #include "cli/progress.h"
 #include "cli/table.h"
 #include "flowcert/point_set.h"
 #include "fuzz/inputs/stable_configurations.h"
-#include "fuzz/judge/command_run.h"
-#include "fuzz/judge/limited_program.h"
 #include "fuzz/judge/peer_property.h"
 #include "io/diagnostic.h"
 #include "io/foreign_text.h"
@@ -46,21 +47,11 @@ fuzz::Counterexample read_counterexample(const std::filesystem::path& path) {
 
 // ---- Checks of values ----
 
-std::string complaint_about_missing_in(const std::string& command) {
-  return has_place(command, "{in}") ? "" : "there is no {in} in the command";
-}
-
 std::string complaint_about_seed(const std::string& word) {
   std::uint64_t seed = 0;
   const auto result = std::from_chars(word.data(), word.data() + word.size(), seed);
   const bool is_one = result.ec == std::errc() && result.ptr == word.data() + word.size();
   return is_one ? "" : in_quotes(word) + " is no number from 0 to 18446744073709551615";
-}
-
-std::string complaint_about_seconds(const std::string& word, double most, const std::string& span) {
-  const NumberText number = parse_number(word);
-  const bool is_right = number.fault == nullptr && 0 < number.value && number.value <= most;
-  return is_right ? "" : fmt::format("{} is no number of seconds, of at most {}", in_quotes(word), span);
 }
 
 namespace {

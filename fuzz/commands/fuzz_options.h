@@ -73,13 +73,9 @@ void print_families();
 [[nodiscard]] fuzz::Counterexample read_counterexample(const std::filesystem::path& path);
 
 // ---- Values of options ----
-// CLI11's own checks do not know these. Each returns what is wrong, in words; empty if nothing is.
+// As those of cli/checked_words.h.
 
-// The command must have the place {in}.
-[[nodiscard]] std::string complaint_about_missing_in(const std::string& command);
 // A seed must be a number of 64 bits. CLI11 would turn a larger one into the largest one.
 [[nodiscard]] std::string complaint_about_seed(const std::string& word);
-// The seconds must be positive and at most `most`, which is `span` ("a day") in words. CLI11's range would take nan.
-[[nodiscard]] std::string complaint_about_seconds(const std::string& word, double most, const std::string& span);
 
 }  // namespace flowcert::commands

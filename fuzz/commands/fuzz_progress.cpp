@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cli/command.h"
-#include "fuzz/commands/counted.h"
+#include "cli/counted.h"
 #include "io/diagnostic.h"
 
 namespace flowcert::commands {

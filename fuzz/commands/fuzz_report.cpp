@@ -11,16 +11,16 @@
 #include <utility>
 #include <vector>
 
+#include "certify/programs/command_run.h"
+#include "certify/programs/conformance_words.h"
 #include "cli/check_report.h"
 #include "cli/command.h"
+#include "cli/counted.h"
 #include "cli/reason_table.h"
 #include "cli/shortened_numbers.h"
 #include "cli/table.h"
 #include "cli/wrapped_text.h"
-#include "fuzz/commands/counted.h"
 #include "fuzz/commands/fuzz_options.h"
-#include "fuzz/judge/command_run.h"
-#include "fuzz/judge/conformance_words.h"
 
 namespace flowcert::commands {
 

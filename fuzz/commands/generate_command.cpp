@@ -14,13 +14,13 @@
 #include <memory>
 #include <system_error>
 
+#include "certify/programs/asked_cases.h"
+#include "cli/case_progress.h"
+#include "cli/counted.h"
 #include "cli/reason_table.h"
-#include "fuzz/commands/case_progress.h"
 #include "fuzz/commands/commands.h"
-#include "fuzz/commands/counted.h"
 #include "fuzz/commands/run_options.h"
 #include "fuzz/inputs/case_stream.h"
-#include "fuzz/judge/asked_cases.h"
 #include "io/output_file.h"
 
 namespace flowcert::commands {
@@ -68,25 +68,25 @@ std::string introduction(const AskedCases& cases, const std::string& id) {
 }
 
 // No reader takes an empty file.
-std::string point_file(const fuzz::Input& input, fuzz::NumberForm form) {
-  return input.rows.empty() ? "# no points\n" : fuzz::points_text(input, form);
+std::string point_file(const std::vector<Point>& rows, NumberForm form) {
+  return rows.empty() ? "# no points\n" : certify::points_text(rows, form);
 }
 
-void generate_one(const AskedCases& cases, std::size_t number, const GenerateOptions& options, fuzz::NumberForm form) {
+void generate_one(const AskedCases& cases, std::size_t number, const GenerateOptions& options, NumberForm form) {
   if (number >= cases.size()) {
     throw InvalidInput(fmt::format("--only: the run has {}, 0 to {}", counted(cases.size(), "case"), cases.size() - 1));
   }
   const AskedCase one = cases.numbered(number);
   if (!cases.asks(one)) {
-    throw InvalidInput(fmt::format("--only: case {} has {}, more than --most-points says", number,
-                                   points_text(one.input.rows.size())));
+    throw InvalidInput(
+        fmt::format("--only: case {} has {}, more than --most-points says", number, points_text(one.rows.size())));
   }
-  if (options.is_xyz) return put(point_file(one.input, form));
+  if (options.is_xyz) return put(point_file(one.rows, form));
   const std::string id = cases.id(one);
-  put(introduction(cases, id) + fuzz::case_text(id, one.input, form));
+  put(introduction(cases, id) + case_text(id, one.rows, form));
 }
 
-void generate_all(const AskedCases& cases, fuzz::NumberForm form) {
+void generate_all(const AskedCases& cases, NumberForm form) {
   CaseProgress progress("writing", STDOUT_FILENO, PlaceInPipe::kFirst);
   bool is_begun = false;
   for (std::size_t number = 0; number < cases.size(); ++number) {
@@ -94,7 +94,7 @@ void generate_all(const AskedCases& cases, fuzz::NumberForm form) {
     progress(number, cases.size());
     if (!cases.asks(one)) continue;
     const std::string id = cases.id(one);
-    put((is_begun ? "" : introduction(cases, id)) + fuzz::case_text(id, one.input, form));
+    put((is_begun ? "" : introduction(cases, id)) + case_text(id, one.rows, form));
     is_begun = true;
   }
   if (!is_begun) throw InvalidInput("--most-points: every case has more points than that");
@@ -102,7 +102,7 @@ void generate_all(const AskedCases& cases, fuzz::NumberForm form) {
 
 void generate(const GenerateOptions& options) {
   const std::unique_ptr<AskedCases> cases = cases_of(options.run);
-  const auto form = options.hexadecimal ? fuzz::NumberForm::kHexadecimal : fuzz::NumberForm::kDecimal;
+  const auto form = options.hexadecimal ? NumberForm::kHexadecimal : NumberForm::kDecimal;
   ::signal(SIGPIPE, SIG_IGN);
   try {
     if (options.only) return generate_one(*cases, *options.only, options, form);

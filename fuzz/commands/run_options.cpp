@@ -10,6 +10,7 @@
 #include "fuzz/inputs/case_stream.h"
 #include "fuzz/inputs/families.h"
 #include "fuzz/inputs/stable_configurations.h"
+#include "fuzz/judge/drawn_cases.h"
 
 namespace flowcert::commands {
 
@@ -66,22 +67,22 @@ void add_run_options(CLI::App& command, RunOptions& options) {
       ->type_name("N");
   command.parse_complete_callback([&command, &options] {
     options.asks_vectors = command.count("--vectors") > 0;
-    options.is_told = options.asks_vectors;
+    options.is_given = options.asks_vectors;
     for (const char* other : {"--level", "--seed", "--cases", "--family", "--most-points"}) {
-      options.is_told |= command.count(other) > 0;
+      options.is_given |= command.count(other) > 0;
     }
   });
 }
 
-std::unique_ptr<judge::AskedCases> cases_of(const RunOptions& options) {
-  if (options.asks_vectors) return judge::vectors_to_ask(options.vectors, options.most_points);
+std::unique_ptr<AskedCases> cases_of(const RunOptions& options) {
+  if (options.asks_vectors) return vectors_to_ask(options.vectors, drawn_cases_of, options.most_points);
   fuzz::CaseRun run;
   run.level = options.level;
   run.seed = options.seed;
   run.cases = options.cases.value_or(fuzz::usual_cases(options.level));
   run.chosen = fuzz::chosen_families(options.families);
   run.most_points = options.most_points;
-  return judge::drawn_cases(run);
+  return drawn_cases(run);
 }
 
 }  // namespace flowcert::commands

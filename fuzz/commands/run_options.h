@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "certify/programs/asked_cases.h"
 #include "fuzz/commands/layer.h"
-#include "fuzz/judge/asked_cases.h"
 
 namespace CLI {
 class App;
@@ -23,8 +23,8 @@ struct RunOptions {
   std::vector<std::string> families;
   std::optional<std::size_t> most_points;
   bool asks_vectors = false;
-  std::string vectors;   // a folder; empty: the usual one
-  bool is_told = false;  // one of these options is given
+  std::string vectors;    // a folder; empty: the usual one
+  bool is_given = false;  // one of these options
 };
 
 // Adds --level, --seed, --cases, --family, --vectors and --most-points. They are there after the command line is
@@ -32,6 +32,6 @@ struct RunOptions {
 void add_run_options(CLI::App& command, RunOptions& options);
 
 // Throws InvalidInput if there are no such vectors.
-[[nodiscard]] std::unique_ptr<judge::AskedCases> cases_of(const RunOptions& options);
+[[nodiscard]] std::unique_ptr<AskedCases> cases_of(const RunOptions& options);
 
 }  // namespace flowcert::commands

@@ -5,13 +5,12 @@
 #include <array>
 #include <bit>
 #include <charconv>
-#include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
 #include "fuzz/inputs/input.h"
 #include "fuzz/inputs/large_configurations.h"
+#include "geometry/mixed_bits.h"
 
 namespace flowcert::fuzz {
 namespace {
@@ -40,9 +39,9 @@ constexpr std::array<LargeFamily, 3> kLargeFamilies{
 std::optional<Input> large_input(const Family& family, std::uint64_t seed) {
   const auto* const large = std::find_if(kLargeFamilies.begin(), kLargeFamilies.end(),
                                          [&](const LargeFamily& one) { return one.name == family.name; });
-  const std::uint64_t dice = mixed(seed);
+  const std::uint64_t dice = geometry::mixed_bits(seed);
   if (large == kLargeFamilies.end() || dice % kOneInSoMany != 0) return std::nullopt;
-  return large->make(kFewestOfLarge + mixed(dice) % (kMostOfLarge - kFewestOfLarge + 1), seed);
+  return large->make(kFewestOfLarge + geometry::mixed_bits(dice) % (kMostOfLarge - kFewestOfLarge + 1), seed);
 }
 
 // ---- Ids ----
@@ -50,9 +49,10 @@ std::optional<Input> large_input(const Family& family, std::uint64_t seed) {
 // 16 bits of a digest of the doubles' bits and the other parts of the id.
 std::uint64_t digest_of(const Input& input, std::string_view text) {
   std::uint64_t digest = 0;
-  for (const char c : text) digest = mixed(digest ^ static_cast<unsigned char>(c));
+  for (const char c : text) digest = geometry::mixed_bits(digest ^ static_cast<unsigned char>(c));
   for (const Row& row : input.rows) {
-    for (const double coordinate : row) digest = mixed(digest ^ std::bit_cast<std::uint64_t>(coordinate));
+    for (const double coordinate : row)
+      digest = geometry::mixed_bits(digest ^ std::bit_cast<std::uint64_t>(coordinate));
   }
   return digest & 0xffff;
 }
@@ -105,14 +105,6 @@ std::optional<NamedCase> parsed(std::string_view id) {
   return result;
 }
 
-void print_hexadecimal(std::ostream& out, double value) {
-  std::array<char, 40> text{};
-  const auto* const end =
-      std::to_chars(text.data(), text.data() + text.size(), std::fabs(value), std::chars_format::hex).ptr;
-  out << (std::signbit(value) ? "-0x" : "0x")
-      << std::string_view(text.data(), static_cast<std::size_t>(end - text.data()));
-}
-
 }  // namespace
 
 std::size_t usual_cases(int level) { return kUsualCases.at(static_cast<std::size_t>(level - 1)); }
@@ -147,13 +139,14 @@ const Family& family_of_case(const CaseRun& run, std::size_t number) {
 
 Input input_of_case(const CaseRun& run, std::size_t number) {
   const auto level = static_cast<std::size_t>(run.level);
-  const std::uint64_t seed = mixed(mixed(mixed(run.seed) ^ level) ^ number);
+  const std::uint64_t seed =
+      geometry::mixed_bits(geometry::mixed_bits(geometry::mixed_bits(run.seed) ^ level) ^ number);
   const Family& family = family_of_case(run, number);
   if (run.level == kCaseLevels) {
     if (std::optional<Input> large = large_input(family, seed)) return *std::move(large);
   }
   const auto sizes = static_cast<std::uint64_t>(kLargestSize.at(level - 1)) + 1;
-  return draw(family, seed, static_cast<int>(mixed(~seed) % sizes));
+  return draw(family, seed, static_cast<int>(geometry::mixed_bits(~seed) % sizes));
 }
 
 std::string case_id(const CaseRun& run, std::size_t number, const Input& input) {
@@ -179,25 +172,6 @@ std::optional<NamedCase> case_named(std::string_view id) {
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   }
-}
-
-std::string points_text(const Input& input, NumberForm form) {
-  std::ostringstream out;
-  if (form == NumberForm::kDecimal) {
-    out << input;
-    return out.str();
-  }
-  for (const Row& row : input.rows) {
-    for (std::size_t axis = 0; axis < row.size(); ++axis) {
-      print_hexadecimal(out, row[axis]);
-      out << (axis + 1 < row.size() ? ' ' : '\n');
-    }
-  }
-  return out.str();
-}
-
-std::string case_text(const std::string& id, const Input& input, NumberForm form) {
-  return "case " + id + ' ' + std::to_string(input.rows.size()) + '\n' + points_text(input, form);
 }
 
 }  // namespace flowcert::fuzz

@@ -60,11 +60,4 @@ struct NamedCase {
 // Returns nothing if the text is not, to the letter, the id of a case that is not left out.
 [[nodiscard]] std::optional<NamedCase> case_named(std::string_view id);
 
-// The shortest decimals that read back to the same doubles, or hexadecimal floats.
-enum class NumberForm { kDecimal, kHexadecimal };
-// A line for each row, as a point file has it.
-[[nodiscard]] std::string points_text(const Input& input, NumberForm form);
-// A line "case ID ROWS", and the rows.
-[[nodiscard]] std::string case_text(const std::string& id, const Input& input, NumberForm form);
-
 }  // namespace flowcert::fuzz

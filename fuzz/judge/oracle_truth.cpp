@@ -358,9 +358,21 @@ std::vector<ListedPair> oracle_pairs(const std::vector<Point>& rows) {
 
 namespace {
 
+oracle::Answer answer_of(const VectorCase& one) {
+  oracle::Answer answer{one.rows.size(), one.merged_duplicates, {}};
+  for (const auto& [index, contact, sphere] : one.stationary) {
+    answer.stationary.push_back({sphere.center,
+                                 sphere.squared_radius,
+                                 {contact.begin(), contact.end()},
+                                 index.face_dimension,
+                                 index.hull_dimension});
+  }
+  return answer;
+}
+
 class VectorTruth final : public Truth {
  public:
-  explicit VectorTruth(const VectorCase& one) : case_(one), oracle_(oracle_truth(one.rows, one.answer)) {}
+  explicit VectorTruth(const VectorCase& one) : case_(one), oracle_(oracle_truth(one.rows, answer_of(one))) {}
 
   [[nodiscard]] std::size_t size() const override { return oracle_->size(); }
   [[nodiscard]] StationaryIndex index(std::size_t i) const override { return oracle_->index(i); }
@@ -417,6 +429,11 @@ class VectorTruth final : public Truth {
 std::unique_ptr<Truth> vector_truth(const VectorCase& one) {
   FLOWCERT_REQUIRES(!one.is_invalid());
   return std::make_unique<VectorTruth>(one);
+}
+
+OtherTruth truth_of_oracle() {
+  return {kMostPointsForOracle, [](const std::vector<Point>& rows) { return oracle_truth(rows); },
+          kMostPointsForOraclePairs, oracle_pairs, vector_truth};
 }
 
 }  // namespace flowcert::judge

@@ -4,9 +4,10 @@
 #include <memory>
 #include <vector>
 
+#include "certify/other_truth.h"
+#include "certify/programs/vector_cases.h"
 #include "flowcert/check.h"
 #include "fuzz/judge/layer.h"
-#include "fuzz/judge/vector_cases.h"
 #include "oracle/stationary_points.h"
 
 namespace flowcert::judge {
@@ -40,5 +41,8 @@ inline constexpr std::size_t kMostPointsForOraclePairs = 12;
 // no part in it.
 // The case must not be an invalid one, and must outlive the truth.
 [[nodiscard]] std::unique_ptr<Truth> vector_truth(const VectorCase& one);
+
+// All of these, for code that does not know the oracle.
+[[nodiscard]] OtherTruth truth_of_oracle();
 
 }  // namespace flowcert::judge

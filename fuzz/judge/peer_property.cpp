@@ -12,12 +12,13 @@
 #include <system_error>
 
 #include "certify/finding_words.h"
+#include "certify/programs/case_dialogue.h"
+#include "certify/programs/command_run.h"
+#include "certify/programs/conformance_words.h"
+#include "certify/programs/verification.h"
 #include "flowcert/claim.h"
 #include "flowcert/pair_differences.h"
-#include "fuzz/judge/case_dialogue.h"
-#include "fuzz/judge/command_run.h"
-#include "fuzz/judge/conformance_words.h"
-#include "fuzz/judge/verification.h"
+#include "fuzz/properties/input_points.h"
 #include "fuzz/properties/subject.h"
 #include "io/input_bytes.h"
 #include "io/out_of_memory.h"
@@ -143,7 +144,7 @@ class Peer {
 
   [[nodiscard]] CaseReply reply_to(const fuzz::Input& input) {
     try {
-      return dialogue_.ask(input);
+      return dialogue_.ask(property::rows_of(input));
     } catch (const OutputError& error) {
       throw property::MachineFailure(error.what());
     }

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "certify/programs/limited_program.h"
 #include "flowcert/check.h"
-#include "fuzz/judge/limited_program.h"
 #include "fuzz/properties/property.h"
 
 namespace flowcert::judge {

@@ -1,4 +1,4 @@
-// An input's rows as the fast implementation takes them.
+// An input's rows as the fast implementation takes them, and back.
 //
 // Guarantees: the same coordinates, in the same order.
 #pragma once
@@ -15,6 +15,13 @@ inline std::vector<Point> rows_of(const fuzz::Input& input) {
   rows.reserve(input.rows.size());
   for (const auto& [x, y, z] : input.rows) rows.push_back({x, y, z});
   return rows;
+}
+
+inline fuzz::Input input_of(const std::vector<Point>& rows) {
+  fuzz::Input input;
+  input.rows.reserve(rows.size());
+  for (const Point& p : rows) input.rows.push_back({p.x, p.y, p.z});
+  return input;
 }
 
 inline PointSet point_set_of(const fuzz::Input& input) { return PointSet(rows_of(input)); }

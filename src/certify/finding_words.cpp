@@ -18,13 +18,13 @@ namespace {
 constexpr std::size_t kNamesShown = 16;
 constexpr std::size_t kDigitsShown = 20;
 
+}  // namespace
+
 std::string shortest_text(double value) {
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
   return {text.data(), end.ptr};
 }
-
-}  // namespace
 
 std::string shortened(std::string text, std::size_t longest) {
   if (text.size() <= longest) return text;

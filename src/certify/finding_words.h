@@ -22,6 +22,8 @@ namespace flowcert::certify {
 [[nodiscard]] std::string target_text(const ClaimedTarget& target);
 // A text as a message shows it: the first `longest` characters, and "..." if there are more.
 [[nodiscard]] std::string shortened(std::string text, std::size_t longest);
+// The shortest decimal that reads back to the same double.
+[[nodiscard]] std::string shortest_text(double value);
 // The exact number if its text is short; otherwise the rounded number, marked with ~.
 [[nodiscard]] std::string number_text(const Rational& value);
 [[nodiscard]] std::string position_text(const RationalPoint& x);

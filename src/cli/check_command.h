@@ -1,26 +1,24 @@
-// `flowcert check`. Its caller hands it the other implementation for --oracle, because src/ knows none.
+// The commands that judge. Their caller hands them the oracle and what draws cases, because src/ knows neither.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <memory>
-#include <vector>
 
+#include "certify/other_truth.h"
+#include "certify/programs/asked_cases.h"
 #include "cli/command.h"
-#include "flowcert/check.h"
-#include "flowcert/pair_differences.h"
 
 namespace flowcert::cli {
 
-// An implementation that shares nothing with this one, for `--oracle`.
-struct OtherTruth {
-  std::size_t most_points = 0;
-  // Throws InvalidInput for more points.
-  std::function<std::unique_ptr<Truth>(const std::vector<Point>& rows)> of;
-  // Persistence pairs by it. Throws InvalidInput for more points, and takes fewer of them.
-  std::function<std::vector<ListedPair>(const std::vector<Point>& rows)> pairs_of;
+struct DrawnRuns {
+  // Adds options that say which cases are asked. After the command line is parsed, the returned function makes these
+  // cases, or nothing if none of the options is given.
+  std::function<std::function<std::unique_ptr<AskedCases>()>(CLI::App& command)> add_options;
+  DrawnCasesOf of_id;
 };
 
 void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle);
+void add_conformance_command(CLI::App& app, int& status, const OtherTruth& oracle);
+void add_verify_command(CLI::App& app, int& status, const OtherTruth& oracle, const DrawnRuns& drawn);
 
 }  // namespace flowcert::cli

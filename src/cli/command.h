@@ -1,5 +1,5 @@
 // The subcommands of `flowcert`, and what they share. Exit status: 0 right, 1 a negative verdict, 2 unusable input or
-// usage. The subcommands that draw inputs and judge programs are in fuzz/commands/.
+// usage. The subcommands that draw inputs are in fuzz/commands/.
 #pragma once
 
 #include <array>

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/mixed_bits.h"
 #include "morse/backward_walk.h"
 #include "morse/layer.h"
 
@@ -27,10 +28,9 @@ class TieBreaking {
   // One of 0 to count - 1. SplitMix64, so that the choices are the same with every standard library.
   [[nodiscard]] std::size_t choose(std::size_t count) {
     if (!is_random_ || count < 2) return 0;
-    std::uint64_t z = state_ += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return static_cast<std::size_t>((z ^ (z >> 31)) % count);
+    const std::uint64_t dice = geometry::mixed_bits(state_);
+    state_ += geometry::kSplitMixStep;
+    return static_cast<std::size_t>(dice % count);
   }
 
  private:

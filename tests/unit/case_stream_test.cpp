@@ -131,13 +131,5 @@ TEST(CaseStream, FamiliesByName) {
   EXPECT_TRUE(chosen_families(all).empty()) << "all of them is the same as none";
 }
 
-TEST(CaseStream, TextIsExact) {
-  const Input input{{{0.1, -0.0, 5e-324}, {1e300, -3, 0.5}}};
-  EXPECT_EQ(case_text("id", input, NumberForm::kDecimal), "case id 2\n0.1 -0 5e-324\n1e+300 -3 0.5\n");
-  EXPECT_EQ(case_text("id", {{{0.1, -0.0, 1}}}, NumberForm::kHexadecimal),
-            "case id 1\n0x1.999999999999ap-4 -0x0p+0 0x1p+0\n");
-  EXPECT_EQ(case_text("id", {}, NumberForm::kDecimal), "case id 0\n");
-}
-
 }  // namespace
 }  // namespace flowcert::fuzz::case_stream_test

@@ -3,15 +3,17 @@
 //
 // Guarantees: no command outlives its test. Where a limit of time has to pass, it is 1/5 s; elsewhere it is long enough
 // for a busy machine.
-#include "fuzz/judge/conformance_run.h"
+#include "certify/programs/conformance_run.h"
 
 #include <gtest/gtest.h>
 
 #include <csignal>
 #include <fstream>
 
-#include "fuzz/judge/command_run.h"
+#include "certify/programs/command_run.h"
+#include "fuzz/judge/oracle_truth.h"
 #include "tests/cites.h"
+#include "tests/unit/case_points.h"
 
 namespace flowcert::judge::conformance_run_test {
 namespace {
@@ -32,9 +34,9 @@ VectorCase right_triangle() {
   one.id = "right-triangle";
   one.words = kWords;
   one.rows = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
-  one.answer = oracle::stationary_points({{0, 0, 0}, {3, 0, 0}, {0, 4, 0}});
-  one.limits.resize(one.answer.stationary.size());
-  one.stable.resize(one.answer.stationary.size());
+  one.stationary = case_points(*oracle_truth(one.rows));
+  one.limits.resize(one.stationary.size());
+  one.stable.resize(one.stationary.size());
   return one;
 }
 
@@ -46,7 +48,8 @@ VectorCase invalid_case() {
   return one;
 }
 
-CaseOutcome outcome_of(const VectorCase& one, const ConformanceOptions& options) {
+CaseOutcome outcome_of(const VectorCase& one, ConformanceOptions options) {
+  options.truth = truth_of_oracle();
   const Interruption interruption;
   const std::vector<CaseOutcome> outcomes = run_conformance({&one}, options, [](std::size_t, std::size_t) {});
   return outcomes.at(0);

@@ -15,6 +15,7 @@
 #include "geometry/contract.h"
 #include "oracle/fast/point_set.h"
 #include "tests/cites.h"
+#include "tests/unit/case_points.h"
 
 namespace flowcert::judge::oracle_truth_test {
 namespace {
@@ -112,7 +113,7 @@ void expect_same_stable_set(std::size_t i, Truth& fast, Truth& oracle, Tally& ta
   std::vector<RationalPoint> critical;
   for (const BackwardSegment<>& s : set.segments) {
     ++tally.backs.at(static_cast<std::size_t>(s.back_kind));
-    if (s.back_kind == BackKind::kCritical) critical.push_back(s.back);
+    if (s.back_kind == BackKind::kCritical) critical.push_back(s.back.position);
   }
   std::ranges::sort(critical);
   const bool is_twice = std::ranges::adjacent_find(critical) != critical.end();
@@ -243,8 +244,8 @@ TEST(VectorTruth, IsWhatTheVectorSays) {
   CITES("FC-FLOW-07");
   VectorCase one;
   one.rows = {{0, 0, 0}, {4, 0, 0}, {2, 3, 0}};
-  one.answer = oracle::stationary_points({{0, 0, 0}, {4, 0, 0}, {2, 3, 0}});
-  const std::size_t saddle = one.answer.stationary.size() - 1;
+  one.stationary = case_points(*oracle_truth(one.rows));
+  const std::size_t saddle = one.stationary.size() - 1;
   one.limits.resize(saddle + 1);
   one.stable.resize(saddle + 1);
   const auto by_oracle = vector_truth(one);

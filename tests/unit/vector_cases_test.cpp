@@ -1,14 +1,14 @@
 // Files of conformance vectors that cannot be used are refused, with the case; points are written so that they read
 // back.
-#include "fuzz/judge/vector_cases.h"
+#include "certify/programs/vector_cases.h"
 
 #include <gtest/gtest.h>
 
+#include "certify/programs/command_run.h"
 #include "flowcert/read_points.h"
-#include "fuzz/judge/command_run.h"
 #include "tests/cites.h"
 
-namespace flowcert::judge::vector_cases_test {
+namespace flowcert::certify::vector_cases_test {
 namespace {
 
 const char* const kCase = R"({"id": "two-points", "comment": "", "flags": ["few-points"], "result": "determined",
@@ -46,7 +46,7 @@ TEST(VectorCases, AreRead) {
   const Vectors vectors = read(Json::array({Json::parse(kCase)}));
   ASSERT_EQ(vectors.cases.size(), 1U);
   const VectorCase& one = vectors.cases[0];
-  EXPECT_EQ(one.answer.stationary.size(), 3U);
+  EXPECT_EQ(one.stationary.size(), 3U);
   EXPECT_EQ(one.rows[1].y, -0x1p-1074);
   ASSERT_TRUE(one.persistence);
   EXPECT_EQ(one.persistence->size(), 2U);
@@ -93,4 +93,4 @@ TEST(VectorCases, PointFilesReadBack) {
 }
 
 }  // namespace
-}  // namespace flowcert::judge::vector_cases_test
+}  // namespace flowcert::certify::vector_cases_test

@@ -2,14 +2,15 @@
 // has, and what a run makes of them all.
 //
 // The answers are made of the oracle's stationary points, by contact sets.
-#include "fuzz/judge/verification.h"
+#include "certify/programs/verification.h"
 
 #include <gtest/gtest.h>
 
 #include <sstream>
 #include <stdexcept>
 
-#include "fuzz/judge/command_run.h"
+#include "certify/programs/command_run.h"
+#include "fuzz/judge/drawn_cases.h"
 #include "fuzz/judge/oracle_truth.h"
 #include "fuzz/properties/input_points.h"
 #include "io/json_fields.h"
@@ -17,6 +18,14 @@
 
 namespace flowcert::judge::verification_test {
 namespace {
+
+TEST(AskedCases, TextIsExact) {
+  EXPECT_EQ(case_text("id", {{0.1, -0.0, 5e-324}, {1e300, -3, 0.5}}, NumberForm::kDecimal),
+            "case id 2\n0.1 -0 5e-324\n1e+300 -3 0.5\n");
+  EXPECT_EQ(case_text("id", {{0.1, -0.0, 1}}, NumberForm::kHexadecimal),
+            "case id 1\n0x1.999999999999ap-4 -0x0p+0 0x1p+0\n");
+  EXPECT_EQ(case_text("id", {}, NumberForm::kDecimal), "case id 0\n");
+}
 
 // ---- Reading
 
@@ -120,6 +129,8 @@ Answer answer_to(const fuzz::CaseRun& run, std::size_t number) { return answer_t
 
 VerificationOptions keeping_failures() {
   VerificationOptions options;
+  options.oracle = truth_of_oracle();
+  options.drawn = drawn_cases_of;
   options.most_failures_kept = 5;
   return options;
 }
@@ -300,9 +311,9 @@ std::string exchange_claim(const std::string& limit) {
 TEST(Verification, AVectorSaysWhatIsRight) {
   CITES("FC-FLOW-07");
   const auto folder = vectors_with_limits_at(1);
-  const auto cases = vectors_to_ask(folder->path().string());
+  const auto cases = vectors_to_ask(folder->path().string(), drawn_cases_of);
   const auto outcomes = [&](const std::string& limit) {
-    Verification verification(keeping_failures(), vectors_to_ask(folder->path().string()));
+    Verification verification(keeping_failures(), vectors_to_ask(folder->path().string(), drawn_cases_of));
     verification.take({.place = {.file = "answers", .line = 1},
                        .id = cases->id(cases->numbered(0)),
                        .is_refusal = false,
@@ -359,8 +370,8 @@ TEST(Verification, WhatIsCutIsUnanswered) {
 TEST(Verification, AnswersAreToTheVectorsThatWereAsked) {
   CITES("FC-CLAIM-01");
   const auto asked = vectors_with_limits_at(1), other = vectors_with_limits_at(2);
-  const auto cases = vectors_to_ask(asked->path().string());
-  Verification verification(keeping_failures(), vectors_to_ask(other->path().string()));
+  const auto cases = vectors_to_ask(asked->path().string(), drawn_cases_of);
+  Verification verification(keeping_failures(), vectors_to_ask(other->path().string(), drawn_cases_of));
   const Answer answer{.place = {.file = "answers", .line = 1},
                       .id = cases->id(cases->numbered(0)),
                       .is_refusal = false,

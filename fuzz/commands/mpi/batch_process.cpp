@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <thread>
 
+#include "certify/programs/conformance_words.h"
 #include "fuzz/campaign/batch.h"
 #include "fuzz/campaign/worker_processes.h"
-#include "fuzz/judge/conformance_words.h"
 
 namespace flowcert::commands {
 

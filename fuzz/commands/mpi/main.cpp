@@ -17,13 +17,13 @@
 #include <thread>
 #include <vector>
 
+#include "certify/programs/conformance_words.h"
+#include "certify/programs/limited_program.h"
 #include "cli/command.h"
 #include "cli/command_line.h"
 #include "fuzz/commands/fuzz_report.h"
 #include "fuzz/commands/known_findings.h"
 #include "fuzz/commands/mpi/ranks.h"
-#include "fuzz/judge/conformance_words.h"
-#include "fuzz/judge/limited_program.h"
 #include "io/diagnostic.h"
 #include "io/out_of_memory.h"
 

@@ -11,9 +11,9 @@
 #include <thread>
 #include <utility>
 
+#include "certify/programs/limited_program.h"
 #include "cli/command.h"
 #include "fuzz/campaign/batch.h"
-#include "fuzz/judge/limited_program.h"
 #include "io/diagnostic.h"
 
 namespace flowcert::commands {

@@ -1,0 +1,487 @@
+#include "cli/conformance_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <ostream>
+#include <set>
+
+#include "certify/programs/conformance_words.h"
+#include "cli/check_report.h"
+#include "cli/command.h"
+#include "cli/profile_report.h"
+#include "cli/reason_table.h"
+#include "cli/shortened_numbers.h"
+#include "cli/table.h"
+#include "cli/wrapped_text.h"
+#include "cli/xml_text.h"
+
+namespace flowcert::cli {
+
+namespace {
+
+constexpr std::size_t kCaseIndent = 4;
+
+// ---- Counting
+
+// The columns of the tables. An invalid case that is refused counts as conforming, one that is accepted as failing.
+struct Tally {
+  std::size_t cases = 0;  // without skipped ones
+  std::size_t conforms = 0;
+  std::size_t where_determined = 0;
+  std::size_t perturbed = 0;
+  std::size_t fails = 0;
+  std::size_t refused = 0;
+  std::size_t crashed = 0;
+  std::size_t timed_out = 0;
+  std::size_t unreadable = 0;
+  std::size_t skipped = 0;
+
+  [[nodiscard]] std::size_t negative() const { return fails + refused + crashed + timed_out + unreadable; }
+};
+
+std::size_t& column_of(Tally& tally, RunOutcome outcome) {
+  switch (outcome) {
+    case RunOutcome::kConforms:
+    case RunOutcome::kProperlyRefused:
+      return tally.conforms;
+    case RunOutcome::kConformsWhereDetermined:
+      return tally.where_determined;
+    case RunOutcome::kPerturbed:
+      return tally.perturbed;
+    case RunOutcome::kSkipped:
+      return tally.skipped;
+    case RunOutcome::kFails:
+    case RunOutcome::kAccepted:
+      return tally.fails;
+    case RunOutcome::kRefused:
+      return tally.refused;
+    case RunOutcome::kCrashed:
+      return tally.crashed;
+    case RunOutcome::kTimedOut:
+      return tally.timed_out;
+    case RunOutcome::kUnreadable:
+      break;
+  }
+  return tally.unreadable;
+}
+
+// The tally of the cases for which includes(case).
+template <typename Includes>
+Tally tally_of(const ConformanceReport& report, const Includes& includes) {
+  Tally tally;
+  for (const CaseOutcome& outcome : report.outcomes) {
+    if (!includes(*outcome.of)) continue;
+    ++column_of(tally, outcome.outcome);
+    if (outcome.outcome != RunOutcome::kSkipped) ++tally.cases;
+  }
+  return tally;
+}
+
+Tally tally_of_all(const ConformanceReport& report) {
+  return tally_of(report, [](const VectorCase&) { return true; });
+}
+
+struct NamedTally {
+  std::string name;
+  Tally tally;
+};
+
+// The flags that have a case that was run.
+std::vector<NamedTally> tallies_by_flag(const ConformanceReport& report) {
+  std::vector<NamedTally> tallies;
+  for (const VectorFlag& flag : report.vectors.flags) {
+    const auto has_flag = [&](const VectorCase& one) {
+      return std::ranges::find(one.flags, flag.name) != one.flags.end();
+    };
+    const Tally tally = tally_of(report, has_flag);
+    if (tally.cases > 0) tallies.push_back({flag.name, tally});
+  }
+  return tallies;
+}
+
+// All groups that have a case, even if all their cases were skipped.
+std::vector<NamedTally> tallies_by_group(const ConformanceReport& report) {
+  std::vector<NamedTally> tallies;
+  for (const std::string& group : report.vectors.groups) {
+    const Tally tally = tally_of(report, [&](const VectorCase& one) { return one.group == group; });
+    if (tally.cases + tally.skipped > 0) tallies.push_back({group, tally});
+  }
+  return tallies;
+}
+
+std::size_t claims_judged(const ConformanceReport& report, std::size_t level) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(report.outcomes, [&](const CaseOutcome& outcome) { return outcome.judged.at(level); }));
+}
+
+std::size_t orbits_judged(const ConformanceReport& report) {
+  std::size_t count = 0;
+  for (const CaseOutcome& outcome : report.outcomes) count += outcome.orbits_judged;
+  return count;
+}
+
+std::size_t persistence_judged(const ConformanceReport& report) {
+  return static_cast<std::size_t>(std::ranges::count_if(report.outcomes, &CaseOutcome::is_persistence_judged));
+}
+
+// ---- Text
+
+void print_tallies(const char* title, const std::vector<NamedTally>& tallies) {
+  Table table("lrrrrrrrrr", {title, "cases", "conforms", "determined", "perturbed", "fails", "refused", "crashed",
+                             "timed out", "unreadable"});
+  for (const auto& [name, tally] : tallies) {
+    table.row(name);
+    for (const std::size_t count : {tally.cases, tally.conforms, tally.where_determined, tally.perturbed, tally.fails,
+                                    tally.refused, tally.crashed, tally.timed_out, tally.unreadable}) {
+      table.cell(count);
+    }
+  }
+  table.leave_out_zeros(3);
+  table.print_in_parts();
+  fmt::print("\n");
+}
+
+std::string outcome_words(const CaseOutcome& outcome) {
+  switch (outcome.outcome) {
+    case RunOutcome::kAccepted:
+      return "accepts what is invalid";
+    case RunOutcome::kRefused:
+      return "refuses what is valid";
+    default:
+      return run_outcome_text(outcome.outcome);
+  }
+}
+
+// The numbers of examples are those of outcomes.
+std::vector<ReasonRow> reasons_of(const ConformanceReport& report) {
+  ReasonTally tally;
+  for (std::size_t k = 0; k < report.outcomes.size(); ++k) {
+    const CaseOutcome& outcome = report.outcomes[k];
+    for (const CaseReason& reason : outcome.reasons) tally.add(reason.reason, outcome.of->rows.size(), k);
+  }
+  return tally.rows();
+}
+
+void print_negative_case(const CaseOutcome& outcome, const std::string& words) {
+  const VectorCase& of = *outcome.of;
+  const std::string head = fmt::format("{} ({}): {}", of.id, of.comment, outcome_words(outcome));
+  fmt::print("{}\n{}\n", wrapped(head, kCaseIndent), wrapped("  " + with_short_numbers(words), kCaseIndent));
+}
+
+// Returns which outcomes were shown as examples.
+std::set<std::size_t> print_reasons_and_examples(const ConformanceReport& report) {
+  const std::vector<ReasonRow> rows = reasons_of(report);
+  print_reasons(rows, "cases", [&](const ReasonRow& row) {
+    return report.outcomes[row.example].of->id + ", " + points_text(row.size);
+  });
+  std::set<std::size_t> shown;
+  for (const ReasonRow& row : rows) {
+    const CaseOutcome& outcome = report.outcomes[row.example];
+    print_negative_case(outcome, std::ranges::find(outcome.reasons, row.reason, &CaseReason::reason)->example);
+    shown.insert(row.example);
+  }
+  if (!rows.empty()) fmt::print("\n");
+  return shown;
+}
+
+void print_other_negative_cases(const ConformanceReport& report, std::size_t most,
+                                const std::set<std::size_t>& examples) {
+  std::size_t shown = 0, left_out = 0;
+  for (std::size_t k = 0; k < report.outcomes.size(); ++k) {
+    const CaseOutcome& outcome = report.outcomes[k];
+    if (!is_negative(outcome.outcome) || examples.contains(k)) continue;
+    if (shown == most) {
+      ++left_out;
+      continue;
+    }
+    ++shown;
+    print_negative_case(outcome, outcome.message);
+  }
+  if (left_out > 0) fmt::print("and {} more; --most shows more\n", with_commas(left_out));
+  if (shown + left_out > 0) fmt::print("\n");
+}
+
+// Prints the flags and groups whose cases are all negative, unless all cases are, and the flags and groups that all
+// negative cases have.
+void print_telling_names(const ConformanceReport& report) {
+  const Tally all = tally_of_all(report);
+  if (all.negative() == all.cases) return;
+  const auto tell = [&](const char* what, const std::vector<NamedTally>& tallies) {
+    for (const auto& [name, tally] : tallies) {
+      if (tally.cases >= 2 && tally.negative() == tally.cases) {
+        fmt::print("all {} cases {} {} are negative\n", tally.cases, what, name);
+      }
+      if (all.negative() >= 2 && tally.negative() == all.negative()) {
+        fmt::print("all {} negative cases are {} {}\n", all.negative(), what, name);
+      }
+    }
+  };
+  tell("with the flag", tallies_by_flag(report));
+  tell("of the group", tallies_by_group(report));
+}
+
+// Prints for each reason the rarest flag that all of its cases have, if some other case does not have it.
+void print_flags_of_reasons(const ConformanceReport& report) {
+  std::vector<NamedTally> flags = tallies_by_flag(report);
+  std::ranges::stable_sort(flags, {}, [](const NamedTally& flag) { return flag.tally.cases; });
+  const std::size_t all = tally_of_all(report).cases;
+  for (const ReasonRow& row : reasons_of(report)) {
+    if (row.count < 2) continue;
+    const auto is_on_all = [&](const NamedTally& flag) {
+      return std::ranges::all_of(report.outcomes, [&](const CaseOutcome& outcome) {
+        const bool is_so = std::ranges::find(outcome.reasons, row.reason, &CaseReason::reason) != outcome.reasons.end();
+        return !is_so || std::ranges::find(outcome.of->flags, flag.name) != outcome.of->flags.end();
+      });
+    };
+    const auto flag = std::ranges::find_if(flags, is_on_all);
+    if (flag == flags.end() || flag->tally.cases == all) continue;
+    print_wrapped(fmt::format("all {} cases of {} have the flag {}, as {} cases do", with_commas(row.count), row.reason,
+                              flag->name, with_commas(flag->tally.cases)),
+                  kCaseIndent);
+  }
+}
+
+// Prints how many cases have something that was not judged, because no command was given for it.
+template <typename Has>
+void print_unasked(const ConformanceReport& report, const char* what, const char* option, const Has& has) {
+  const auto count = static_cast<std::size_t>(std::ranges::count_if(report.outcomes, has));
+  if (count == 0) return;
+  print_wrapped(fmt::format("not judged: the {} of {} case{}, without {}", what, with_commas(count),
+                            count == 1 ? "" : "s", option),
+                kCaseIndent);
+}
+
+void print_judged(const ConformanceReport& report) {
+  std::string judged = "judged: ";
+  for (std::size_t level = 0; level < kLevels; ++level) {
+    judged += fmt::format("{} claim{} on level {}, ", with_commas(claims_judged(report, level)),
+                          claims_judged(report, level) == 1 ? "" : "s", level + 1);
+  }
+  print_wrapped(judged + with_commas(orbits_judged(report)) + " orbits", kCaseIndent);
+  if (!report.options.persistence_command.empty()) {
+    fmt::print("judged: the persistence pairs of {} cases\n", with_commas(persistence_judged(report)));
+  }
+  if (report.options.orbit_command.empty()) {
+    print_unasked(report, "orbits", "--orbits-against",
+                  [](const CaseOutcome& outcome) { return !outcome.of->orbits.empty(); });
+  }
+  if (report.options.persistence_command.empty()) {
+    print_unasked(report, "persistence pairs", "--persistence-against",
+                  [](const CaseOutcome& outcome) { return outcome.of->persistence.has_value(); });
+  }
+}
+
+void print_undecided(const ConformanceReport& report) {
+  const auto count = std::ranges::count(report.outcomes, false, &CaseOutcome::is_decided);
+  if (count == 0) return;
+  print_wrapped(fmt::format("not decided: in {} case{}, whether one perturbation makes all that is claimed at a point "
+                            "(FC-CLAIM-04)",
+                            with_commas(static_cast<std::size_t>(count)), count == 1 ? "" : "s"),
+                kCaseIndent);
+}
+
+void print_skipped(const ConformanceReport& report) {
+  for (const CaseOutcome& outcome : report.outcomes) {
+    if (outcome.outcome != RunOutcome::kSkipped) continue;
+    print_wrapped(fmt::format("skipped: {} ({}): it {}", outcome.of->id, outcome.of->comment, outcome.message),
+                  kCaseIndent);
+  }
+}
+
+// ---- JSON
+
+Json tally_field(const char* key, const NamedTally& named) {
+  const Tally& tally = named.tally;
+  Json field;
+  field[key] = named.name;
+  field["cases"] = tally.cases;
+  field["conforms"] = tally.conforms;
+  field["conforms_where_determined"] = tally.where_determined;
+  field["perturbed"] = tally.perturbed;
+  field["fails"] = tally.fails;
+  field["refused"] = tally.refused;
+  field["crashed"] = tally.crashed;
+  field["timed_out"] = tally.timed_out;
+  field["unreadable"] = tally.unreadable;
+  return field;
+}
+
+Json tallies_field(const char* key, const std::vector<NamedTally>& tallies) {
+  Json field = Json::array();
+  for (const NamedTally& named : tallies) field.push_back(tally_field(key, named));
+  return field;
+}
+
+Json orbit_findings_field(const CaseOutcome& outcome) {
+  Json field = Json::array();
+  for (const auto& [start, difference] : outcome.orbit_findings) {
+    Json finding;
+    finding["start"] = start;
+    finding["permitted"] = difference.is_permitted;
+    finding["claimed"] = difference.claimed;
+    finding["truth"] = difference.truth;
+    field.push_back(std::move(finding));
+  }
+  return field;
+}
+
+}  // namespace
+
+Json persistence_findings_field(const std::vector<PairDifference>& differences) {
+  Json field = Json::array();
+  for (const PairDifference& difference : differences) {
+    Json finding;
+    finding["reason"] = reason_text(difference);
+    finding["claimed"] = difference.claimed;
+    finding["truth"] = difference.truth;
+    field.push_back(std::move(finding));
+  }
+  return field;
+}
+
+namespace {
+
+Json case_field(const CaseOutcome& outcome) {
+  Json findings = Json::array();
+  for (const Finding& finding : outcome.findings) findings.push_back(finding_field(finding));
+  Json field;
+  field["id"] = outcome.of->id;
+  field["group"] = outcome.of->group;
+  field["outcome"] = run_outcome_text(outcome.outcome);
+  field["negative"] = is_negative(outcome.outcome);
+  field["level"] = outcome.level ? Json(*outcome.level) : Json(nullptr);
+  field["seconds"] = outcome.seconds;
+  field["message"] = outcome.message;
+  field["findings"] = std::move(findings);
+  field["findings_left_out"] = outcome.findings_left_out;
+  field["orbit_findings"] = orbit_findings_field(outcome);
+  field["persistence_findings"] = persistence_findings_field(outcome.persistence_findings);
+  return field;
+}
+
+Json judged_field(const ConformanceReport& report) {
+  Json field = Json::object();
+  for (std::size_t level = 0; level < kLevels; ++level) {
+    field[fmt::format("{}", level + 1)] = claims_judged(report, level);
+  }
+  field["orbits"] = orbits_judged(report);
+  field["persistence"] = persistence_judged(report);
+  return field;
+}
+
+// ---- JUnit
+
+void write_test_case(std::ostream& out, const CaseOutcome& outcome) {
+  out << fmt::format("    <testcase classname=\"flowcert.conformance.{}\" name=\"{}\" time=\"{:.3f}\"",
+                     xml_text(outcome.of->group), xml_text(outcome.of->id), outcome.seconds);
+  const std::string message = xml_text(outcome.message);
+  if (is_negative(outcome.outcome)) {
+    out << fmt::format(">\n      <failure message=\"{}\">{}</failure>\n    </testcase>\n",
+                       xml_text(outcome_words(outcome)), message);
+  } else if (outcome.outcome == RunOutcome::kSkipped) {
+    out << fmt::format("><skipped message=\"{}\"/></testcase>\n", message);
+  } else if (outcome.outcome == RunOutcome::kConformsWhereDetermined || outcome.outcome == RunOutcome::kPerturbed) {
+    out << fmt::format(">\n      <system-out>{}</system-out>\n    </testcase>\n", message);
+  } else {
+    out << "/>\n";
+  }
+}
+
+// How many of the vectors the statement is about.
+std::string note_of(const ConformanceReport& report) {
+  const std::size_t asked = tally_of_all(report).cases, all = report.vectors.cases.size();
+  return asked == all ? fmt::format(" ({} vectors)", with_commas(all))
+                      : fmt::format(" ({} of {} vectors)", with_commas(asked), with_commas(all));
+}
+
+JudgedProfile judged_profile(const ConformanceReport& report) {
+  return {report.verdict(), report.profile(), report.options.check.tolerance, note_of(report)};
+}
+
+void write_test_suite(std::ostream& out, const ConformanceReport& report, const NamedTally& group) {
+  const Tally& tally = group.tally;
+  double seconds = 0;
+  for (const CaseOutcome& outcome : report.outcomes) {
+    if (outcome.of->group == group.name) seconds += outcome.seconds;
+  }
+  out << fmt::format(
+      "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\" time=\"{:.3f}\">\n",
+      xml_text(group.name), tally.cases + tally.skipped, tally.negative(), tally.skipped, seconds);
+  out << junit_properties(judged_profile(report));
+  for (const CaseOutcome& outcome : report.outcomes) {
+    if (outcome.of->group == group.name) write_test_case(out, outcome);
+  }
+  out << "  </testsuite>\n";
+}
+
+}  // namespace
+
+Verdict ConformanceReport::verdict() const {
+  const Tally all = tally_of_all(*this);
+  if (all.negative() > 0) return Verdict::kFails;
+  if (all.perturbed > 0) return Verdict::kPerturbed;
+  return all.where_determined > 0 ? Verdict::kConformsWhereDetermined : Verdict::kConforms;
+}
+
+Profile ConformanceReport::profile() const {
+  Profile joined;
+  for (const CaseOutcome& outcome : outcomes) {
+    if (outcome.profile) joined.join(*outcome.profile);
+  }
+  return joined;
+}
+
+void print_conformance_text(const ConformanceReport& report, std::size_t most) {
+  const std::set<std::size_t> examples = print_reasons_and_examples(report);
+  print_tallies("flag", tallies_by_flag(report));
+  print_tallies("group", tallies_by_group(report));
+  print_telling_names(report);
+  print_flags_of_reasons(report);
+  print_other_negative_cases(report, most, examples);
+  print_skipped(report);
+  print_judged(report);
+  print_undecided(report);
+  const Tally all = tally_of_all(report);
+  fmt::print("\n");
+  print_wrapped(fmt::format("{} cases in {}: {} conform, {} where determined, {} perturbed, {} negative",
+                            with_commas(all.cases), seconds_text(report.seconds), with_commas(all.conforms),
+                            with_commas(all.where_determined), with_commas(all.perturbed), with_commas(all.negative())),
+                kCaseIndent);
+  fmt::print("\n");
+  print_conformity(judged_profile(report));
+  fmt::print("{}\n", verdict_text(report.verdict()));
+}
+
+Json conformance_json(const ConformanceReport& report) {
+  const ConformanceOptions& options = report.options;
+  Json json = header_fields("flowcert-conformance", 1);
+  json["command"] = options.command;
+  json["orbit_command"] = options.orbit_command.empty() ? Json(nullptr) : Json(options.orbit_command);
+  json["persistence_command"] = options.persistence_command.empty() ? Json(nullptr) : Json(options.persistence_command);
+  json["tolerance"] = options.check.tolerance;
+  json["highest_level"] = options.check.highest_level;
+  json["time_limit"] = options.limits.seconds;
+  json["verdict"] = verdict_text(report.verdict());
+  json["profile"] = profile_field(judged_profile(report));
+  json["seconds"] = report.seconds;
+  json["judged"] = judged_field(report);
+  json["reasons"] = reasons_field(reasons_of(report),
+                                  [&](const ReasonRow& row) { return Json(report.outcomes[row.example].of->id); });
+  json["flags"] = tallies_field("flag", tallies_by_flag(report));
+  json["groups"] = tallies_field("group", tallies_by_group(report));
+  Json& cases = json["cases"] = Json::array();
+  for (const CaseOutcome& outcome : report.outcomes) cases.push_back(case_field(outcome));
+  return json;
+}
+
+void print_conformance_json(const ConformanceReport& report) { print_report_json(conformance_json(report)); }
+
+void write_conformance_junit(std::ostream& out, const ConformanceReport& report) {
+  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
+  for (const NamedTally& group : tallies_by_group(report)) write_test_suite(out, report, group);
+  out << "</testsuites>\n";
+}
+
+}  // namespace flowcert::cli
