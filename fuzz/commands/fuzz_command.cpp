@@ -13,7 +13,7 @@
 #include "fuzz/campaign/worker_processes.h"
 #include "fuzz/commands/commands.h"
 #include "fuzz/commands/finding_pages.h"
-#include "fuzz/commands/finding_teller.h"
+#include "fuzz/commands/finding_printer.h"
 #include "fuzz/commands/fuzz_options.h"
 #include "fuzz/commands/fuzz_progress.h"
 #include "fuzz/commands/fuzz_report.h"
@@ -76,14 +76,15 @@ int run_campaign(const FuzzOptions& options) {
   if (options.only) return run_case(campaign, options);
   const std::size_t before = campaign.tally().cases;
   FuzzProgress progress(campaign, options.seconds);
-  FindingTeller teller(campaign, known, progress, {.prints = !options.json, .stops_at_first = options.stops_at_first});
-  work_on(teller, campaign, options, progress,
-          [&] { return teller.has_first() || (is_time_up(options, progress) && !teller.makes_first_small()); });
-  teller.end();
+  FindingPrinter printer(campaign, known, progress,
+                         {.prints = !options.json, .stops_at_first = options.stops_at_first});
+  work_on(printer, campaign, options, progress,
+          [&] { return printer.has_first() || (is_time_up(options, progress) && !printer.makes_first_small()); });
+  printer.end();
   FuzzRun run{campaign, known, progress.seconds_so_far(), campaign.tally().cases - before, options.jobs};
   run.is_interrupted = Interruption::signal() != 0;
   run.is_time_up = is_time_up(options, progress);
-  run.told = &teller.told();
+  run.printed = &printer.printed();
   write_finding_pages(campaign);
   print_fuzz(run, options.json);
   return verdict_of(run);

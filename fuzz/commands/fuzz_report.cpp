@@ -169,16 +169,16 @@ std::string unless_small(const FuzzRun& run) {
 
 struct PrintedFindings {
   std::vector<const fuzz::Counterexample*> findings;
-  std::size_t equal = 0;  // findings that look like one of these, or like one that was told
+  std::size_t equal = 0;  // findings that look like one of these, or like one that was printed
 };
 
-// One finding of each kind, and then the others, but for those that were told and those that are explained.
+// One finding of each kind, and then the others, but for those that were printed and those that are explained.
 PrintedFindings findings_to_print(const FuzzRun& run, const std::vector<Kind>& kinds,
                                   const std::vector<ListedFinding>& findings) {
   PrintedFindings printed;
   FindingKeys done;
   std::set<ShownFinding> shown;
-  if (run.told != nullptr) done = *run.told;
+  if (run.printed != nullptr) done = *run.printed;
   for (const FindingKey& key : done) shown.insert(shown_of(run.campaign.counterexamples().at(key)));
   const auto add = [&](const fuzz::Counterexample& finding, bool is_explained) {
     if (is_explained || !done.insert(key_of(finding)).second) return;
@@ -203,7 +203,7 @@ void print_counterexamples(const FuzzRun& run, const std::vector<Kind>& kinds,
   const PrintedFindings printed = findings_to_print(run, kinds, findings);
   const std::size_t all = printed.findings.size(), most = kinds.size() + kMostFindingsPrinted;
   const auto explained = static_cast<std::size_t>(std::ranges::count(findings, true, &ListedFinding::is_explained));
-  const bool is_first = run.told == nullptr || run.told->empty();
+  const bool is_first = run.printed == nullptr || run.printed->empty();
   fmt::print("\n");
   if (all > 0 || explained > 0) fmt::print("{}:\n", is_first ? "Findings" : "Other findings");
   for (std::size_t k = 0; k < std::min(all, most); ++k) {
@@ -229,7 +229,7 @@ void print_fuzz_text(const FuzzRun& run) {
   const auto expected = campaign.expected_cases();
   const std::vector<ListedFinding> findings = in_order(run);
   const std::vector<Kind> kinds = kinds_of(run, findings);
-  if (run.told != nullptr && !run.told->empty()) fmt::print("\n");
+  if (run.printed != nullptr && !run.printed->empty()) fmt::print("\n");
   print_kinds(run, kinds);
   print_counterexamples(run, kinds, findings);
   if (!kinds.empty()) fmt::print("\n");

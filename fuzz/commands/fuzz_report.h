@@ -43,7 +43,7 @@ struct FuzzRun {
   unsigned jobs = 1;
   bool is_interrupted = false;
   bool is_time_up = false;
-  const FindingKeys* told = nullptr;  // findings that were printed before
+  const FindingKeys* printed = nullptr;  // findings that were printed before
 };
 
 // What a finding is, its points if they are few, and where its file lies. `unless_small` says why it is not small yet.

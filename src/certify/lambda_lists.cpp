@@ -40,7 +40,7 @@ class LambdaLists {
     const std::size_t record = run_.placed[k].place->record;
     const ClaimedLambdaList& claimed = *run_.claim.points[k].lambda;
     LambdaList truth = run_.truth.lambda_list(record);
-    // The sides of an index-2 point can be told by another part of its contact set.
+    // The sides of an index-2 point may be named by another part of its contact set.
     if (truth.directions.size() == 2 && truth.arcs.empty() && run_.true_side(k, 0) == 1) {
       std::swap(truth.directions[0], truth.directions[1]);
     }

@@ -13,7 +13,7 @@
 
 namespace flowcert::certify {
 
-// Claimed and true things are told by their places in lists.
+// Claimed and true things are places in lists.
 struct Matching {
   std::vector<std::optional<std::size_t>> of_claimed;  // the partner, by claimed thing
   std::vector<std::optional<std::size_t>> of_truth;

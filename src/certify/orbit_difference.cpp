@@ -1,4 +1,4 @@
-// Compares segment by segment, and tells the first difference in words.
+// Compares segment by segment, and puts the first difference into words.
 #include "flowcert/orbit_difference.h"
 
 #include <fmt/format.h>
@@ -178,7 +178,7 @@ class PerturbedOrbit {
     return path;
   }
 
-  // Infinity does not tell the direction.
+  // Infinity gives no direction.
   std::optional<PathDifference> difference_to_infinity(const PathLimit& y) {
     const PathSegment& claimed = claimed_.segments[done_];
     const char first = face_letter(points_, y.contact);

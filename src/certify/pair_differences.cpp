@@ -1,4 +1,4 @@
-// A maximum flow from claimed to true pairs tells which of them find a partner. It is found for each set of pairs that
+// A maximum flow from claimed to true pairs shows which of them find a partner. It is found for each set of pairs that
 // can be each other's partners, through others or not: such sets are small.
 #include "flowcert/pair_differences.h"
 

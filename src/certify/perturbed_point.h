@@ -25,8 +25,8 @@ class PerturbedPoint {
   // For a simplex, whether some perturbation makes this claimed critical point, perhaps together with others.
   // Otherwise, whether no condition on it alone forbids it.
   [[nodiscard]] bool can_make(std::size_t claimed_point) const;
-  // Whether a claimed point repeats one of the same index. A position alone does not tell which of several contact sets
-  // is meant. `same_index` has the claims of that index that are accepted so far.
+  // Whether a claimed point repeats one of the same index. A position alone leaves open which of several contact
+  // sets is meant. `same_index` has the claims of that index that are accepted so far.
   [[nodiscard]] bool is_again(std::size_t claimed_point, const std::vector<std::size_t>& same_index) const;
   // Whether one perturbation makes just these points. It must be able to make each, and none may be there again.
   [[nodiscard]] MadeByPerturbation makes(std::span<const std::size_t> claimed_points) const;

@@ -18,7 +18,7 @@ constexpr std::array<const char*, kProfileParts> kPartNames = {
     "points",  "U2", "S2",       "polylines", "skeletons", "lambda-lists", "connections",
     "volumes", "U1", "infinity", "pockets",   "orbits",    "persistence"};
 
-// A part that is told of single points.
+// A part that is claimed of single points.
 struct PartOfPoints {
   ProfilePart part;
   int level;
@@ -46,14 +46,14 @@ constexpr std::array kPartsOfPoints = {
     PartOfPoints{ProfilePart::kU1, 5, 1, 1, tells_unstable_set},
 };
 
-Profile::State told_if(bool is_told) { return is_told ? Profile::State::kTold : Profile::State::kNotTold; }
+Profile::State told_if(bool is_told) { return is_told ? Profile::State::kCovered : Profile::State::kNotCovered; }
 
 Profile::State state_of(const PartOfPoints& part, const std::vector<ClaimedPoint>& points) {
-  Profile::State state = Profile::State::kNothingToTell;
+  Profile::State state = Profile::State::kNothingToCover;
   for (const ClaimedPoint& point : points) {
     if (point.hull_dimension || point.index < part.first || part.last < point.index) continue;
-    if (!part.is_told(point)) return Profile::State::kNotTold;
-    state = Profile::State::kTold;
+    if (!part.is_told(point)) return Profile::State::kNotCovered;
+    state = Profile::State::kCovered;
   }
   return state;
 }
@@ -77,7 +77,7 @@ void Profile::join(const Profile& other) {
 std::vector<std::string> Profile::parts() const {
   std::vector<std::string> names;
   for (std::size_t k = 0; k < kProfileParts; ++k) {
-    if (states_.at(k) != State::kTold) continue;
+    if (states_.at(k) != State::kCovered) continue;
     if (k > 0 || is_all(indices_)) {
       names.emplace_back(kPartNames.at(k));
     } else if (is_any(indices_)) {
@@ -96,12 +96,12 @@ Profile profile_of(const Claim& claim, const ClaimedIndices& indices, bool has_p
   Profile profile;
   profile.set_exact(is_exact);
   profile.set_indices(indices);
-  profile.set(ProfilePart::kPockets, claim.pockets ? told_if(highest_level >= 5) : Profile::State::kNotTold);
+  profile.set(ProfilePart::kPockets, claim.pockets ? told_if(highest_level >= 5) : Profile::State::kNotCovered);
   profile.set(ProfilePart::kPoints, told_if(!claim.pockets && highest_level >= 3));
   const bool has_more = !claim.pockets && is_all(indices);
   for (const PartOfPoints& part : kPartsOfPoints) {
     const bool is_judged = has_more && highest_level >= part.level;
-    profile.set(part.part, is_judged ? state_of(part, claim.points) : Profile::State::kNotTold);
+    profile.set(part.part, is_judged ? state_of(part, claim.points) : Profile::State::kNotCovered);
   }
   const bool tells_infinity = has_more && highest_level >= 5 && claim.infinity;
   if (has_points || claim.pockets) profile.set(ProfilePart::kInfinity, told_if(tells_infinity));

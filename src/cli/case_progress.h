@@ -26,7 +26,7 @@ class CaseProgress {
   CaseProgress(const CaseProgress&) = delete;
   CaseProgress& operator=(const CaseProgress&) = delete;
 
-  // `wrong` is told if there is any. Telling takes no time to speak of.
+  // Shows `wrong` if there is any. This takes no time to speak of.
   void operator()(std::size_t done, std::size_t total, std::size_t wrong = 0) {
     wrong_.store(wrong, std::memory_order_relaxed);
     total_.store(total, std::memory_order_relaxed);

@@ -46,7 +46,7 @@ PairReport report_of_pairs(const std::vector<ClaimedPair>& claimed, const std::v
   PairReport report;
   report.differences = pair_differences(claimed, truth, tolerance);
   report.verdict = report.differences.empty() ? Verdict::kConforms : Verdict::kFails;
-  report.profile.set(ProfilePart::kPersistence, Profile::State::kTold);
+  report.profile.set(ProfilePart::kPersistence, Profile::State::kCovered);
   report.profile.set_exact(std::ranges::all_of(claimed, is_exact_pair));
   report.claimed = pair_counts(claimed);
   report.truth = pair_counts(truth);

@@ -1,4 +1,4 @@
-// Findings are listed level by level. The first finding of a level tells most.
+// Findings are listed level by level. The first finding of a level matters most.
 #include "cli/check_report.h"
 
 #include <fmt/format.h>

@@ -24,7 +24,7 @@ inline constexpr int kRight = 0;
 inline constexpr int kNegativeVerdict = 1;
 inline constexpr int kUnusable = 2;
 
-// What commands are for that a program may be built without; it tells the same of them.
+// What commands are for that a program may be built without. Such a program says the same of them.
 inline constexpr char kCheckPurpose[] = "Whether a claimed flow complex is right, and where it is not";
 inline constexpr char kConformancePurpose[] = "How any program answers the conformance vectors, by flag";
 inline constexpr char kFuzzPurpose[] = "Search for degenerate inputs on which implementations disagree";
@@ -98,7 +98,7 @@ inline constexpr char kStandardStream[] = "-";
 // What is wrong with the path of a file to write, or nothing.
 [[nodiscard]] std::string complaint_about_path(const std::string& path);
 
-// All errors are told in it. A path may hold any byte.
+// For all errors: a path may hold any byte.
 using io::on_one_line;
 
 // The name of the file for messages, on one line: "-" gets a readable name.

@@ -40,7 +40,7 @@ struct Measured {
   std::optional<DelaunayRatios> ratios;
 };
 
-// Is told what the last run has just made. It may take its time, which is not measured.
+// Called with what the last run has just made. It may take its time, which is not measured.
 using PartMade = std::function<void(const FlowComplex& complex, FlowComplexPart part)>;
 
 // Computes everything `runs` times. Each run makes the triangulation, the critical points and the wanted manifolds in

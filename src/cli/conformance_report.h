@@ -20,7 +20,7 @@ struct ConformanceReport {
 
   // The verdict on the cases that were not skipped.
   [[nodiscard]] Verdict verdict() const;
-  // What the answers to all cases tell (FC-CLAIM-22).
+  // What the answers to all cases cover (FC-CLAIM-22).
   [[nodiscard]] Profile profile() const;
 };
 

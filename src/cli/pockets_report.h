@@ -22,7 +22,7 @@ struct PocketsReport {
   double delaunay_seconds = 0, other_seconds = 0;
 };
 
-// Makes persistence where there is no pocket, to tell how long the longest tunnel is.
+// Makes persistence where there is no pocket, to say how long the longest tunnel is.
 void print_pockets_report(const PocketsReport& report);
 
 }  // namespace flowcert::cli

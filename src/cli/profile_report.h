@@ -18,7 +18,7 @@ struct JudgedProfile {
   std::string note = {};  // comes after the statement, such as the number of vectors
 };
 
-// A line for people: the statement, or that there is none for such a tolerance. Nothing is printed if nothing is told.
+// A line for people: the statement, or that there is none for such a tolerance. Prints nothing if nothing is covered.
 void print_conformity(const JudgedProfile& judged);
 // specification, parts, grade, statement (src/cli/manual/check.md).
 [[nodiscard]] Json profile_field(const JudgedProfile& judged);

@@ -1,8 +1,8 @@
 // What a command is at, on standard error: a bar where it is known how much there is to do, else the seconds so far.
 //
 // Guarantees: nothing is written unless standard error is a terminal. Nothing is shown in the first two seconds of a
-// command. After them there is always the innermost line of those that exist, also while nobody tells how far the work
-// is. A line is erased when its work is done, by an exception as well. Telling takes no time to speak of.
+// command. After them there is always the innermost line of those that exist, also while nobody says how far the work
+// is. A line is erased when its work is done, by an exception as well. Reporting takes no time to speak of.
 //
 // The code is our own. Debian's only C++ library for this is Boost's progress_display. That cannot be erased from
 // the screen, and knows neither terminals nor delays.

@@ -222,7 +222,7 @@ const char* truth_text(const Verification& verification) {
   return verification.options().by_oracle ? "oracle" : "fast implementation";
 }
 
-// How many cases the statement is about. Vectors are told apart from drawn inputs, which no other version has.
+// How many cases the statement is about. Vectors are kept apart from drawn inputs, which no other version has.
 std::string note_of(const Verification& verification) {
   const std::string cases = counted(verification.expected(), verification.is_stored() ? "vector" : "drawn input");
   const auto most = verification.cases().most_points();
@@ -237,7 +237,7 @@ JudgedProfile judged_profile(const Verification& verification) {
 // What a run is worth of which the program under test says itself which it was.
 constexpr char kRightInWhatCame[] = "right in what came";
 bool is_right_in_what_came(const Verification& verification) {
-  return !verification.is_told() && verification.verdict() != Verdict::kFails;
+  return !verification.is_given() && verification.verdict() != Verdict::kFails;
 }
 
 const char* verdict_words(const Verification& verification) {
@@ -435,7 +435,7 @@ std::vector<std::string> asked_ids(const std::string& path) {
 }
 
 // The cases that the user says are asked; none, if the user says nothing.
-std::unique_ptr<AskedCases> told_cases(VerifyCommandOptions& options) {
+std::unique_ptr<AskedCases> given_cases(VerifyCommandOptions& options) {
   std::unique_ptr<AskedCases> given = options.given_cases();
   if (given || options.asked.empty()) return given;
   const std::vector<std::string> ids = asked_ids(options.asked);
@@ -452,8 +452,8 @@ int verify(VerifyCommandOptions options) {
   options.verification.most_failures_kept = options.most.value_or(is_for_programs ? kUsuallyReported : kUsuallyShown);
   std::optional<CaseProgress> progress;
   progress.emplace("verifying", STDIN_FILENO, PlaceInPipe::kLast);
-  std::unique_ptr<AskedCases> told = told_cases(options);
-  Verification verification(options.verification, std::move(told));
+  std::unique_ptr<AskedCases> given = given_cases(options);
+  Verification verification(options.verification, std::move(given));
   const std::string cut = take_all_answers(verification, *progress);
   progress.reset();
   if (!verification.has_begun()) throw InvalidInput("standard input: no answers");

@@ -1,4 +1,4 @@
-// What flows to infinity is told from rounded volumes, because exact ones take long on large inputs. Their roundings
+// What flows to infinity is found from rounded volumes, because exact ones take long on large inputs. Their roundings
 // add up to less than 2^-53 of the hull's volume, unless volumes are subnormal.
 #include "cli/whole_complex_report.h"
 

@@ -1,4 +1,4 @@
-// A function for each command, which tells _arguments its options and arguments.
+// A function for each command, which passes its options and arguments to _arguments.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

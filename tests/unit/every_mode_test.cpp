@@ -586,7 +586,7 @@ void add_judgement(Calls& calls, const Made& m) {
   calls.add("Truth::nearest_volume_of",
             [&, upper] { return truth.nearest_volume_of({0, static_cast<std::uint32_t>(upper)}); });
   Profile approximate;
-  approximate.set(ProfilePart::kPoints, Profile::State::kTold);
+  approximate.set(ProfilePart::kPoints, Profile::State::kCovered);
   approximate.set_exact(false);
   calls.add("conformity_text", [=] { return conformity_text(Verdict::kConforms, approximate, 1e-7).value_or(""); });
   calls.add("no_conformity_text",

@@ -155,7 +155,7 @@ TEST(Profile, OfAProgramHasWhatNoAnswerLeavesOut) {
   joined.join(of_cube);
   EXPECT_EQ(joined.parts(), (Words{"points", "U2", "S2"}));
   Profile pairs;
-  pairs.set(ProfilePart::kPersistence, Profile::State::kTold);
+  pairs.set(ProfilePart::kPersistence, Profile::State::kCovered);
   pairs.set_exact(false);
   joined.join(pairs);
   EXPECT_EQ(conformity_text(Verdict::kConforms, joined, 1e-7),

@@ -2,7 +2,7 @@
 // (src/cli/manual/cases.md), in one process for all of them.
 //
 // Guarantees: those of limited_program.h, but that the program runs where this one does; the limit of time holds for
-// each case. What is told of a case does not depend on the cases before it: if the process ends, is late or cannot be
+// each case. What is said of a case does not depend on the cases before it: if the process ends, is late or cannot be
 // read, it is ended, and the case is asked again of a new one. A new process is asked its first case twice, so that
 // what it leaves behind after an answer is noticed.
 #pragma once

@@ -93,7 +93,7 @@ std::string read_bounded(const std::string& path, std::size_t most, const std::s
   struct stat status{};
   if (::fstat(file.number(), &status) != 0) reject(name, std::strerror(errno));
   if (!S_ISREG(status.st_mode)) reject(name, "not a regular file");
-  // It may read more than `most` bytes, to notice files that grow or do not tell their size.
+  // It may read more than `most` bytes, to notice files that grow or have no known size.
   std::string bytes;
   const auto size = static_cast<std::size_t>(status.st_size);
   if (size > most) reject(name, fmt::format("{} bytes; more than {} are not read", size, most));

@@ -273,7 +273,7 @@ class CaseRun {
   // Adds to the profile a part that is no part of a claim.
   void tell(ProfilePart part, bool is_exact) {
     if (!result_.profile) return;
-    result_.profile->set(part, Profile::State::kTold);
+    result_.profile->set(part, Profile::State::kCovered);
     result_.profile->set_exact(result_.profile->is_exact() && is_exact);
   }
 

@@ -70,7 +70,7 @@ struct CaseOutcome {
   std::size_t orbits_judged = 0;
   std::vector<PairDifference> persistence_findings;
   bool is_persistence_judged = false;
-  // What the answers tell (FC-CLAIM-22). An invalid or skipped case has none, and neither has one whose claim was not
+  // What the answers cover (FC-CLAIM-22). An invalid or skipped case has none, and neither has one whose claim was not
   // judged.
   std::optional<Profile> profile;
 };

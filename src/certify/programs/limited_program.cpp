@@ -34,7 +34,7 @@ constexpr int kShellSignal = 128;
 constexpr int kLastSignal = 64;
 constexpr int kNotStarted = 127;
 
-// This signal, which programs do not use, tells a guard that the command is to end. The kernel sends it when this
+// This signal, which programs do not use, means to a guard that the command is to end. The kernel sends it when this
 // process has ended.
 const int kEndIt = SIGRTMIN + 7;
 
@@ -68,7 +68,7 @@ ResourceLimit limit_of(int resource, rlim_t most) {
   return {resource, {value, value}};
 }
 
-// A number that the guard tells this process.
+// A number that the guard hands to this process.
 class SharedProcess {
  public:
   SharedProcess() : place_(::mmap(nullptr, sizeof(pid_t), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {

@@ -185,9 +185,9 @@ const char* outcome_text(Outcome outcome) {
 
 bool is_right(Outcome outcome) { return outcome <= Outcome::kPerturbed; }
 
-Verification::Verification(VerificationOptions options, std::unique_ptr<AskedCases> told)
-    : options_(std::move(options)), is_told_(told != nullptr) {
-  if (told) begin(std::move(told));
+Verification::Verification(VerificationOptions options, std::unique_ptr<AskedCases> given)
+    : options_(std::move(options)), is_given_(given != nullptr) {
+  if (given) begin(std::move(given));
 }
 
 void Verification::begin(std::unique_ptr<AskedCases> cases) {
@@ -265,7 +265,7 @@ void Verification::judge_pairs(const AskedCase& one, const Answer& answer, Faile
   const bool is_exact = std::ranges::all_of(claimed, is_exact_pair);
   approximate_ += is_exact ? 0 : 1;
   Profile profile;
-  profile.set(ProfilePart::kPersistence, Profile::State::kTold);
+  profile.set(ProfilePart::kPersistence, Profile::State::kCovered);
   profile.set_exact(is_exact);
   profile_.join(profile);
   auto differences = pair_differences(claimed, pairs_of(one), options_.check.tolerance);

@@ -129,9 +129,9 @@ struct VerificationOptions {
 
 class Verification {
  public:
-  // told: the cases that are asked, of which all that has no answer is missing. Without, they are those of the first
+  // given: the cases that are asked, of which all that has no answer is missing. Without, they are those of the first
   // answer's run.
-  explicit Verification(VerificationOptions options, std::unique_ptr<AskedCases> told = nullptr);
+  explicit Verification(VerificationOptions options, std::unique_ptr<AskedCases> given = nullptr);
 
   // Judges an answer; one that is cut leaves its case unanswered. Throws InvalidInput, with the answer's place, if the
   // id is of no case, of a case that is not asked, or of a case that has been answered. Throws OutputError if the
@@ -141,7 +141,7 @@ class Verification {
   // Whether it is known which cases are asked. Before that, nothing else may be asked.
   [[nodiscard]] bool has_begun() const { return cases_ != nullptr; }
   // Whether somebody else than the program under test says so.
-  [[nodiscard]] bool is_told() const { return is_told_; }
+  [[nodiscard]] bool is_given() const { return is_given_; }
 
   [[nodiscard]] const VerificationOptions& options() const { return options_; }
   [[nodiscard]] const AskedCases& cases() const { return *cases_; }
@@ -171,7 +171,7 @@ class Verification {
   [[nodiscard]] std::size_t approximate() const { return approximate_; }
   [[nodiscard]] std::size_t partly_judged() const { return partly_judged_; }
   [[nodiscard]] std::size_t too_large() const { return too_large_; }
-  // What all answers that were judged tell (FC-CLAIM-22).
+  // What all answers that were judged cover (FC-CLAIM-22).
   [[nodiscard]] const Profile& profile() const { return profile_; }
 
   // Where points and claim of a failing case are kept, without the endings .xyz and .claim.
@@ -195,8 +195,8 @@ class Verification {
   [[nodiscard]] bool is_expected(std::size_t number) const;
 
   VerificationOptions options_;
-  std::unique_ptr<AskedCases> cases_;  // none before the first answer, if they are not told
-  bool is_told_ = false;
+  std::unique_ptr<AskedCases> cases_;  // none before the first answer, if they are not given
+  bool is_given_ = false;
   std::vector<Outcome> outcomes_;  // by number
   std::map<std::size_t, FailedCase> failures_;
   std::map<std::string, CasesOfReason> reasons_;

@@ -1,4 +1,4 @@
-// The profile of a claim, or of a program by its claims: which parts of the flow complex it tells, and how exactly
+// The profile of a claim, or of a program by its claims: which parts of the flow complex it covers, and how exactly
 // (FC-CLAIM-22).
 //
 // Guarantees: a profile follows from what is claimed and judged alone. It says nothing of whether that is right, which
@@ -42,12 +42,12 @@ inline constexpr std::size_t kProfileParts = 13;
 class Profile {
  public:
   enum class State : std::uint8_t {
-    kNothingToTell,  // the input has no point of which this could be told, or it was not asked for
-    kTold,           // of every point that it concerns, and of one at least
-    kNotTold,
+    kNothingToCover,  // the input has no point to which this applies, or it was not asked for
+    kCovered,         // claimed of every point that it concerns, and of one at least
+    kNotCovered,
   };
 
-  // Nothing is told yet, and nothing is left out.
+  // Nothing is covered yet, and nothing is left out.
   Profile() = default;
 
   [[nodiscard]] State state(ProfilePart part) const { return states_.at(static_cast<std::size_t>(part)); }
@@ -57,11 +57,11 @@ class Profile {
   // The indices of the critical points that are claimed and judged.
   void set_indices(const ClaimedIndices& indices) { indices_ = indices; }
 
-  // What a program tells that has both profiles: a part that one of them leaves out is left out, and one with a decimal
-  // is approximate.
+  // The profile of a program that has both: a part that one of them leaves out is left out, and one with a decimal is
+  // approximate.
   void join(const Profile& other);
 
-  // "points", "U2", or "points of index 0, 3". Empty if nothing is told.
+  // "points", "U2", or "points of index 0, 3". Empty if nothing is covered.
   [[nodiscard]] std::vector<std::string> parts() const;
   // "exact" or "approximate"
   [[nodiscard]] const char* grade() const { return is_exact_ ? "exact" : "approximate"; }
@@ -83,7 +83,7 @@ class Profile {
 inline constexpr double kLargestStatedTolerance = 1e-6;
 
 // "conforms to 1.1, points + U2, exact" or "conforms to 1.1, points, approximate within 1e-09". It is "does not conform
-// to 1.1" for what fails. Nothing if nothing is told, or if the tolerance of decimals is too large.
+// to 1.1" for what fails. Nothing if no part is covered, or if the tolerance of decimals is too large.
 [[nodiscard]] std::optional<std::string> conformity_text(Verdict verdict, const Profile& profile, double tolerance);
 
 // "no statement: the tolerance 0.001 is above 1e-06 (FC-CLAIM-23)". Nothing where the tolerance is not the reason.

@@ -1,4 +1,4 @@
-#include "fuzz/commands/finding_teller.h"
+#include "fuzz/commands/finding_printer.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 namespace flowcert::commands {
 
-void FindingTeller::absorb(const std::string& message) {
+void FindingPrinter::absorb(const std::string& message) {
   const auto finding = fuzz::finding_in(message);
   if (!finding) return absorb_other(message);
   if (has_first_) {
@@ -26,7 +26,7 @@ void FindingTeller::absorb(const std::string& message) {
 }
 
 // A batch of which a finding was dropped is not done.
-void FindingTeller::absorb_other(const std::string& message) {
+void FindingPrinter::absorb_other(const std::string& message) {
   if (!dropped_.empty() && fuzz::ends_whole_batch(message)) {
     const auto batch = nlohmann::json::parse(message).at("batch").get<std::size_t>();
     if (dropped_.contains(batch)) return campaign_.give_back(batch);
@@ -34,7 +34,7 @@ void FindingTeller::absorb_other(const std::string& message) {
   campaign_.absorb(message);
 }
 
-void FindingTeller::take_small(const fuzz::Counterexample& finding) {
+void FindingPrinter::take_small(const fuzz::Counterexample& finding) {
   const FindingKey key = key_of(finding);
   under_way_.erase(key);
   held_back_.erase(key);
@@ -43,23 +43,23 @@ void FindingTeller::take_small(const fuzz::Counterexample& finding) {
   campaign_.absorb(finding);
   if (!is_new || known_.explain(finding)) return;
   has_first_ = way_.stops_at_first;
-  if (way_.prints) tell(finding);
+  if (way_.prints) print(finding);
 }
 
 // As many as the report has room for, and one of each kind.
-void FindingTeller::tell(const fuzz::Counterexample& finding) {
+void FindingPrinter::print(const fuzz::Counterexample& finding) {
   if (shown_.contains(shown_of(finding))) return;
-  const bool is_new_kind = kinds_told_.insert(kind_of(finding)).second;
-  if (told_.size() >= kMostFindingsPrinted && !is_new_kind) return;
+  const bool is_new_kind = kinds_printed_.insert(kind_of(finding)).second;
+  if (printed_.size() >= kMostFindingsPrinted && !is_new_kind) return;
   progress_.hide();
-  if (told_.empty()) fmt::print("Findings:\n");
+  if (printed_.empty()) fmt::print("Findings:\n");
   print_finding(campaign_, finding, "");
   std::fflush(stdout);
-  told_.insert(key_of(finding));
+  printed_.insert(key_of(finding));
   shown_.insert(shown_of(finding));
 }
 
-void FindingTeller::end() {
+void FindingPrinter::end() {
   if (!has_first_) {
     for (const auto& [key, finding] : held_back_) campaign_.absorb(finding);
   }

@@ -1,9 +1,9 @@
-// A campaign whose findings are told as they come, on standard output: each as soon as it is small.
+// A campaign whose findings are printed as they come, on standard output: each as soon as it is small.
 //
-// Guarantees: all that is absorbed reaches the campaign, each finding is told once, and known ones are not told. Of those
-// that are equal but for their case, the first is told. Where
-// the campaign is to stop at its first finding (`--first`), those that are not small yet are held back until the end.
-// Once the first one is there the others are dropped, and their batches are not done.
+// Guarantees: all that is absorbed reaches the campaign. Each finding is printed once, and known ones are not printed.
+// Of those that are equal but for their case, the first is printed. Where the campaign is to stop at its first finding
+// (`--first`), those that are not small yet are held back until the end. Once the first one is there the others are
+// dropped, and their batches are not done.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@
 
 namespace flowcert::commands {
 
-class FindingTeller : public fuzz::BatchSource {
+class FindingPrinter : public fuzz::BatchSource {
  public:
   struct Way {
     bool prints = true;
@@ -28,7 +28,7 @@ class FindingTeller : public fuzz::BatchSource {
   };
 
   // All must outlive this. The progress is hidden before anything is printed.
-  FindingTeller(fuzz::Campaign& campaign, const KnownFindings& known, FuzzProgress& progress, Way way)
+  FindingPrinter(fuzz::Campaign& campaign, const KnownFindings& known, FuzzProgress& progress, Way way)
       : campaign_(campaign), known_(known), progress_(progress), way_(way) {}
 
   [[nodiscard]] const fuzz::CampaignPlan& plan() const override { return campaign_.plan(); }
@@ -44,20 +44,20 @@ class FindingTeller : public fuzz::BatchSource {
   // Gives the campaign what was held back, unless the first finding is there.
   void end();
 
-  [[nodiscard]] const FindingKeys& told() const { return told_; }
+  [[nodiscard]] const FindingKeys& printed() const { return printed_; }
 
  private:
   void absorb_other(const std::string& message);
   void take_small(const fuzz::Counterexample& finding);
-  void tell(const fuzz::Counterexample& finding);
+  void print(const fuzz::Counterexample& finding);
 
   fuzz::Campaign& campaign_;
   const KnownFindings& known_;
   FuzzProgress& progress_;
   Way way_;
-  FindingKeys told_, under_way_;
+  FindingKeys printed_, under_way_;
   std::set<ShownFinding> shown_;
-  std::set<std::string> kinds_told_;
+  std::set<std::string> kinds_printed_;
   std::map<FindingKey, fuzz::Counterexample> held_back_;
   std::set<std::size_t> dropped_;  // batches with findings that were
   bool has_first_ = false;
