@@ -203,7 +203,7 @@ FlowPlace FlowLocator::Parts::follow(const RationalPoint& x) {
     place.limit = finder.find(limit->index, limit->contact);
     if (!place.limit) throw std::logic_error("a stationary point that is not listed");
   }
-  for (const VertexIndex v : faces.contact(faces.locate(x))) {
+  for (const VertexIndex v : faces.diagram().contact(faces.locate(x))) {
     place.nearest.push_back(map->name(v));
   }
   std::ranges::sort(place.nearest);

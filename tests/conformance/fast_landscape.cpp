@@ -9,6 +9,7 @@
 #include "flowcert/write_pockets.h"
 #include "io/json_fields.h"
 #include "io/number_text.h"
+#include "io/piece_fields.h"
 
 namespace flowcert::conformance {
 
@@ -132,7 +133,7 @@ Json statistics(const FlowComplex& complex) {
 
 Json infinity(const FlowComplex& complex) {
   std::ostringstream out;
-  write_skeleton(out, complex.stable().set_of_infinity());
+  write_skeleton_of_infinity(out, complex.stable().set_of_infinity());
   return Json::parse(out.str());
 }
 

@@ -19,6 +19,7 @@
 #include "oracle/stationary_points.h"
 #include "tests/cites.h"
 #include "tests/property/property_parameters.h"
+#include "voronoi/delaunay.h"
 
 namespace flowcert::property::invariants_test {
 namespace {
