@@ -226,17 +226,6 @@ void add_geometry(Calls& calls, const Made& m) {
 }
 
 void add_voronoi_and_flow(Calls& calls, const Made& m) {
-  const auto counts_on = [](const VoronoiDiagram& diagram) {
-    const StationaryPoints all = stationary_points(diagram);
-    return result_text(all.critical_counts()) + result_text(all.euler_sum());
-  };
-  calls.add(
-      "Delaunay::Delaunay", [&] { return std::make_unique<Delaunay>(m.points); },
-      [=](const auto& delaunay) { return counts_on(VoronoiDiagram(*delaunay)); });
-  const auto delaunay = std::make_shared<Delaunay>(m.points);
-  calls.add(
-      "VoronoiDiagram::VoronoiDiagram", [=] { return std::make_unique<VoronoiDiagram>(*delaunay, nullptr, 2); },
-      [=](const auto& diagram) { return counts_on(*diagram); });
   const auto flow = std::make_shared<Flow>(m.complex.diagram());
   calls.add(
       "Flow::Flow", [&] { return std::make_unique<Flow>(m.complex.diagram()); },
@@ -611,8 +600,7 @@ const std::set<std::string> kWithoutDoubles = {
     "PointSet::points", "PointSet::name", "PointSet::ordinal_of_row", "PointSet::at_row", "PointSet::repeated_classes",
     "class_names", "Point::coordinates", "Point::is_finite",
     "AtomNames::add", "AtomNames::size", "AtomNames::empty", "AtomNames::residue_text", "AtomNames::text",
-    "AtomNames::residue_texts", "to_text", "Delaunay::points", "Delaunay::dimension", "Delaunay::triangulation", "VoronoiDiagram::points",
-    "VoronoiDiagram::dimension", "VoronoiDiagram::delaunay_cells", "usual_most_cells", "VoronoiDiagram::faces",
+    "AtomNames::residue_texts", "to_text", "FlowComplex::dimension", "FlowComplex::delaunay_cells", "usual_most_cells",
     "Distribution::add", "Distribution::times",
     "Distribution::count", "Distribution::max", "Distribution::mode", "FlowSegment::stays", "type_text", "Flow::tally",
     "StationaryIndex::is_critical", "FlowComplex::points", "FlowComplex::threads", "ChainComplex::boundary",

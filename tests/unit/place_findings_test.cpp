@@ -99,9 +99,9 @@ TEST(FormFindings, OfWhatFlows) {
             "of a stable set: there is no point 5; the ids are 0 to 3");
   EXPECT_EQ(fault([](Point& point) { point.skeleton->segments[1].back_contact = Ids{}; }),
             "of a stable set: a contact set without points");
-  EXPECT_EQ(fault([](Point& point) { point.skeleton->intervals.push_back({{0, 1, 6}, {}, {}, {}}); }),
+  EXPECT_EQ(fault([](Point& point) { point.skeleton->intervals.push_back({{{0, 1, 6}, {}, {}}, {}}); }),
             "of a stable set: there is no point 6; the ids are 0 to 3");
-  EXPECT_EQ(fault([](Point& point) { point.skeleton->sectors.push_back({{}, {}}); }),
+  EXPECT_EQ(fault([](Point& point) { point.skeleton->intervals.push_back({}); }),
             "of a stable set: a contact set without points");
 }
 

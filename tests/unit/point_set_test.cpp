@@ -22,6 +22,7 @@
 #include "tests/unit/point_tuples.h"
 #include "tests/unit/portable_random.h"
 #include "tests/unit/rational_geometry.h"
+#include "voronoi/voronoi_diagram.h"
 
 namespace flowcert::point_set_test {
 namespace {

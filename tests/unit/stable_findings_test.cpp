@@ -17,7 +17,7 @@ std::string said_of_skeleton(const Truly& truly, const Ids& contact, const Chang
     const std::size_t before = point.skeleton->segments.size();
     change(*point.skeleton);
     // Orbits are claimed by the places of their segments.
-    if (point.skeleton->segments.size() < before) point.skeleton->orbits.reset();
+    if (point.skeleton->segments.size() < before) point.orbits.reset();
   });
 }
 

@@ -66,7 +66,7 @@ TEST(UnstableSetFindings, PartsThatAreNotThere) {
   EXPECT_EQ(changed([](auto& set) { set.sheets[0].corners = {}; }),
             start + "a sheet of 0 1, the whole facet" + truth + "sheets)");
   EXPECT_EQ(
-      changed([](auto& set) { set.segments.push_back({{0, 1}, exactly({1, 0, 0}), {exactly({0, 2, 1}), true}}); }),
+      changed([](auto& set) { set.segments.push_back({{0, 1}, {exactly({0, 2, 1}), true}, {exactly({1, 0, 0})}}); }),
       start + "a segment of 0 1 from 1 0 0 to infinity along 0 2 1" + truth + "segments)");
 }
 

@@ -18,6 +18,7 @@
 #include "tests/unit/portable_random.h"
 #include "tests/unit/rational_geometry.h"
 #include "tests/unit/read_out_complex.h"
+#include "voronoi/voronoi_diagram.h"
 
 namespace flowcert::voronoi_complex_test {
 
