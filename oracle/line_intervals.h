@@ -1,32 +1,26 @@
 // Intervals of a line, with or without their ends, and unions of them.
 //
-// Exact. An end may be infinite. An interval whose ends are equal is a point, and has both of them.
+// Exact. An end is a corner, so that it may be infinite. An interval whose ends are equal is a point, and has both.
 #pragma once
 
-#include <compare>
 #include <vector>
 
-#include "oracle/exact_geometry.h"
+#include "oracle/pieces.h"
 
 namespace oracle {
 
-// A rational, or an end of the line.
-struct Coordinate {
-  int infinite = 0;  // -1 or 1 at an end
-  Rational value;    // 0 there
-
-  friend bool operator==(const Coordinate&, const Coordinate&) = default;
-  friend bool operator<(const Coordinate& a, const Coordinate& b) {
-    return a.infinite != b.infinite ? a.infinite < b.infinite : a.value < b.value;
-  }
-};
+// The order of corners along their line: that of the coordinates, between its two ends at infinity.
+bool is_before(const Corner& a, const Corner& b);
 
 struct Interval {
-  Coordinate from, to;
+  Corner from, to;
   bool has_from = false, has_to = false;
 
   [[nodiscard]] bool is_point() const { return from == to; }
 };
+
+// The interval between two corners, without these.
+Interval open_interval(const Corner& a, const Corner& b);
 
 // The connected components of a union, ascending.
 std::vector<Interval> components(std::vector<Interval> intervals);

@@ -22,36 +22,10 @@ namespace oracle {
 
 namespace {
 
-// The coordinate of a point w with <w, u> : <w, v> for its place, where the second is not negative.
-Coordinate quotient(const Rational& u, const Rational& v) {
-  if (v == 0) return {u.sign(), 0};
-  return {0, u / v};
-}
-
-// The line of a Voronoi edge. Its coordinate is 0 at the centre of the polygon.
-struct EdgeLine {
-  EdgeLine(const PointSet& set, const Places& polygon) : corners(select(set.points, polygon)) {
-    const std::vector<Point> triple = {corners[0], corners[1], corners[2]};
-    centre = circumcentre(triple)->center;
-    normal = cross(minus(triple[1], triple[0]), minus(triple[2], triple[0]));
-    contains_centre = face_dimension(corners, centre).has_value();
-  }
-  [[nodiscard]] Coordinate coordinate(const Corner& x) const {
-    return quotient(dot(way_to(x, centre), normal), x.at_infinity ? Rational(0) : dot(normal, normal));
-  }
-  [[nodiscard]] Corner at(const Coordinate& x) const {
-    if (x.infinite != 0) return {as_direction(scaled(normal, x.infinite)), true};
-    return moved(centre, x.value, normal);
-  }
-
-  std::vector<Point> corners;
-  Point centre, normal;
-  bool contains_centre = false;
-};
-
-// The rays from the midpoint m of two samples through their Voronoi facet, which does not contain m. Their coordinate
-// grows with the angle. Each x of the facet is not nearer to a sample q than to the two: 2 <x - m, q - m> <= h(q). So
-// <x - m, m - q> > 0, if h(q) < 0, and its limit at infinity is not negative.
+// The rays from the midpoint m of two samples through their Voronoi facet, which does not contain m. Each is told by the
+// corner where it meets the line through m + ahead that is orthogonal to `ahead`; this order is that of the angles. Each
+// x of the facet is not nearer to a sample q than to the two: 2 <x - m, q - m> <= h(q). So <x - m, m - q> > 0, if
+// h(q) < 0, and its limit at infinity is not negative.
 struct FacetRays {
   FacetRays(const PointSet& set, const std::array<std::size_t, 2>& samples) {
     const Point &p0 = set.points[samples[0]], &p1 = set.points[samples[1]];
@@ -62,19 +36,19 @@ struct FacetRays {
     if (q == set.points.end()) throw std::logic_error("a facet that contains its midpoint is not entered");
     ahead = minus(m, *q);
     ahead = moved(ahead, -dot(ahead, axis) / dot(axis, axis), axis);
-    across = cross(axis, ahead);
   }
-  [[nodiscard]] Coordinate coordinate(const Corner& x) const {
-    return quotient(dot(way_to(x, m), across), dot(way_to(x, m), ahead));
+  [[nodiscard]] Corner through(const Corner& x) const {
+    const Point way = way_to(x, m);
+    const Rational part = dot(way, ahead);
+    return part == 0 ? Corner(as_direction(way), true) : Corner(moved(m, dot(ahead, ahead) / part, way));
   }
-  // The length of `across` is that of `ahead`, times that of the axis.
-  [[nodiscard]] Corner direction(const Coordinate& x) const {
-    if (x.infinite != 0) return {as_direction(scaled(across, x.infinite)), true};
-    const Rational ratio = x.value * dot(ahead, ahead) / dot(across, across);
-    return {as_direction(moved(ahead, ratio, across)), true};
+  // The part of the facet between two rays.
+  [[nodiscard]] std::vector<Corner> between(const PointSet& set, std::size_t sample, const Interval& rays) const {
+    const auto end_of = [&](const Corner& ray) { return Corner(as_direction(way_to(ray, m)), true); };
+    return in_cell(set, sample, {m, end_of(rays.from), end_of(rays.to)});
   }
 
-  Point m, ahead, across;
+  Point m, ahead;
 };
 
 bool is_side_at_infinity(const Corner& a, const Corner& b) { return a.at_infinity && b.at_infinity; }
@@ -106,14 +80,13 @@ class ForwardSearch {
 
   void add_point(const Point& x);
   void add_interval(const Places& polygon, const Corner& a, const Corner& b);
-  void add_run(const Places& polygon, const EdgeLine& line, const Coordinate& a, const Coordinate& b);
-  void add_fan(const Places& polygon, const Corner& a, const Corner& b);
-  void add_run_to(const Places& polygon, const Corner& x, const FlowSegment& segment);
+  void add_run(const Places& polygon, const Corner& x, const FlowSegment& segment);
+  void add_fan(const Places& polygon, const Interval& interval);
 
   void list_edge(const Places& polygon, const Edge& edge, UnstableSurface& result) const;
   void list_facet(const Samples& samples, const Facet& facet, UnstableSurface& result) const;
   void require_closed(const Places& samples, const std::vector<Corner>& part, const FacetRays& rays,
-                      const Coordinate& end) const;
+                      const Corner& end) const;
   [[nodiscard]] int dimension_of(const Places& contact) const { return affine_dimension(select(set_.points, contact)); }
   [[nodiscard]] Samples names(const Samples& samples) const { return {set_.names[samples[0]], set_.names[samples[1]]}; }
 
@@ -158,67 +131,55 @@ void ForwardSearch::add_point(const Point& x) {
   const Places contact = set_.nearest_places(x);
   const int dimension = dimension_of(contact);
   if (dimension == 3) vertices_.insert(x);
-  if (dimension == 2) {
-    const Coordinate at = EdgeLine(set_, contact).coordinate(x);
-    edges_[contact].arrived.push_back({at, at, true, true});
-  }
+  if (dimension == 2) edges_[contact].arrived.push_back({x, x, true, true});
   const auto segment = flow_segment(set_, x);
   if (!segment) return;
   const Places crossed = places_of(set_, segment->crossed_contact);
   if (dimension_of(crossed) == 2) {
-    add_run_to(crossed, x, *segment);
+    add_run(crossed, x, *segment);
   } else {
     const Samples samples = {crossed.at(0), crossed.at(1)};
-    const Coordinate ray = FacetRays(set_, samples).coordinate(x);
+    const Corner ray = FacetRays(set_, samples).through(x);
     facets_[samples].rays.push_back({ray, ray, true, true});
     facets_[samples].segments.push_back({names(samples), end_of(*segment), x});
   }
   if (segment->end) add_point(*segment->end);
 }
 
-// The points of an open interval of a Voronoi edge. One of its ends at least is finite.
+// The points of an open interval of a Voronoi edge. One of its ends at least is finite. If the polygon contains its
+// centre, they run along the edge, away from the centre. So do all points that are farther from it.
 void ForwardSearch::add_interval(const Places& polygon, const Corner& a, const Corner& b) {
-  const EdgeLine line(set_, polygon);
-  const auto [from, to] = std::minmax({line.coordinate(a), line.coordinate(b)});
-  const Interval interval = {from, to};
+  const Interval interval = open_interval(a, b);
   std::vector<Interval>& arrived = edges_[polygon].arrived;
   if (covers(components(arrived), interval)) return;
   arrived.push_back(interval);
-  if (!line.contains_centre) return add_fan(polygon, a, b);
-  const Coordinate zero;
-  if (from < zero && zero < to) {
-    add_run(polygon, line, from, zero);
-    add_run(polygon, line, zero, to);
-  } else {
-    add_run(polygon, line, from, to);
-  }
-}
-
-// The points of the open interval run along the edge. So do all points that are farther from the centre.
-void ForwardSearch::add_run(const Places& polygon, const EdgeLine& line, const Coordinate& a, const Coordinate& b) {
-  const auto segment = flow_segment(set_, between(line.at(a), line.at(b)));
-  add_run_to(polygon, b.infinite > 0 || Coordinate() < b ? line.at(a) : line.at(b), *segment);
+  const std::vector<Point> corners = select(set_.points, polygon);
+  const Corner centre = circumcentre({corners[0], corners[1], corners[2]})->center;
+  if (!face_dimension(corners, centre.position)) return add_fan(polygon, interval);
+  const bool is_from_before = is_before(interval.from, centre), is_to_behind = is_before(centre, interval.to);
+  const auto run = [&](const Corner& near, const Corner& far) {
+    add_run(polygon, near, *flow_segment(set_, between(near, far)));
+  };
+  if (is_from_before) run(is_to_behind ? centre : interval.to, interval.from);
+  if (is_to_behind) run(is_from_before ? centre : interval.from, interval.to);
 }
 
 // The open interval from x to the end of the segment, which runs along a Voronoi edge.
-void ForwardSearch::add_run_to(const Places& polygon, const Corner& x, const FlowSegment& segment) {
-  const EdgeLine line(set_, polygon);
-  const auto [from, to] = std::minmax({line.coordinate(x), line.coordinate(end_of(segment))});
-  edges_[polygon].run.push_back({from, to});
+void ForwardSearch::add_run(const Places& polygon, const Corner& x, const FlowSegment& segment) {
+  edges_[polygon].run.push_back(open_interval(x, end_of(segment)));
   if (segment.end) add_point(*segment.end);
 }
 
 // The polygon is obtuse. The rays through the interval leave the facet through the sides that lie on no ray, and
 // through the corners between two of these.
-void ForwardSearch::add_fan(const Places& polygon, const Corner& a, const Corner& b) {
+void ForwardSearch::add_fan(const Places& polygon, const Interval& interval) {
   const Samples samples = obtuse_edge(set_, polygon);
   const FacetRays rays(set_, samples);
-  const auto [from, to] = std::minmax({rays.coordinate(a), rays.coordinate(b)});
-  facets_[samples].rays.push_back({from, to});
-  const Corner first = rays.direction(from), last = rays.direction(to);
-  const std::vector<Corner> part = in_cell(set_, samples[0], {rays.m, first, last});
+  const Interval fan = open_interval(rays.through(interval.from), rays.through(interval.to));
+  facets_[samples].rays.push_back(fan);
+  const std::vector<Corner> part = rays.between(set_, samples[0], fan);
   for (const auto& [c, d] : sides_of(part)) {
-    if (!c.at_infinity && !in_line(c, rays.m, first) && !in_line(c, rays.m, last)) add_point(c.position);
+    if (!c.at_infinity && !in_line(c, rays.m, fan.from) && !in_line(c, rays.m, fan.to)) add_point(c.position);
     if (c == d || is_side_at_infinity(c, d) || in_line(c, rays.m, d)) continue;
     const Places contact = set_.nearest_places(between(c, d));
     if (contact != polygon) add_interval(contact, c, d);
@@ -229,14 +190,13 @@ void ForwardSearch::add_fan(const Places& polygon, const Corner& a, const Corner
 
 // All ends of traces that are no ends of the edge belong to them, and Voronoi vertices at their ends to the set.
 void ForwardSearch::list_edge(const Places& polygon, const Edge& edge, UnstableSurface& result) const {
-  const EdgeLine line(set_, polygon);
   const std::vector<Interval> arrived = components(edge.arrived);
   const auto part = [&](const Interval& interval) {
-    const auto [least, greatest] = std::minmax({line.at(interval.from), line.at(interval.to)});
+    const auto [least, greatest] = std::minmax({interval.from, interval.to});
     return EdgePart{select(set_.names, polygon), least, greatest};
   };
-  const auto require_end = [&](const Coordinate& at, bool is_in) {
-    if (is_in || at.infinite != 0 || vertices_.count(line.at(at).position) > 0) return;
+  const auto require_end = [&](const Corner& end, bool is_in) {
+    if (is_in || end.at_infinity || vertices_.count(end.position) > 0) return;
     throw std::logic_error("a trace that is not closed");
   };
   for (const Interval& interval : arrived) {
@@ -249,10 +209,9 @@ void ForwardSearch::list_edge(const Places& polygon, const Edge& edge, UnstableS
 
 // A ray at the end of a sheet that does not belong to it has no point in the open facet.
 void ForwardSearch::require_closed(const Places& samples, const std::vector<Corner>& part, const FacetRays& rays,
-                                   const Coordinate& end) const {
+                                   const Corner& end) const {
   for (const auto& [a, b] : sides_of(part)) {
-    const bool is_on_ray =
-        !is_side_at_infinity(a, b) && a != b && rays.coordinate(a) == end && rays.coordinate(b) == end;
+    const bool is_on_ray = !is_side_at_infinity(a, b) && a != b && rays.through(a) == end && rays.through(b) == end;
     if (is_on_ray && set_.nearest_places(between(a, b)) == samples) {
       throw std::logic_error("a sheet that is not closed");
     }
@@ -264,13 +223,12 @@ void ForwardSearch::list_facet(const Samples& samples, const Facet& facet, Unsta
   for (const Interval& interval : components(facet.rays)) {
     if (interval.is_point()) {
       result.segments.push_back(*std::find_if(facet.segments.begin(), facet.segments.end(), [&](const auto& segment) {
-        return rays.coordinate(segment.back) == interval.from;
+        return rays.through(segment.back) == interval.from;
       }));
     } else if (dimension_ < 3) {
       result.sheets.push_back({names(samples), {}});
     } else {
-      const Corner first = rays.direction(interval.from), last = rays.direction(interval.to);
-      const std::vector<Corner> part = in_cell(set_, samples[0], {rays.m, first, last});
+      const std::vector<Corner> part = rays.between(set_, samples[0], interval);
       if (!interval.has_from) require_closed({samples[0], samples[1]}, part, rays, interval.from);
       if (!interval.has_to) require_closed({samples[0], samples[1]}, part, rays, interval.to);
       result.sheets.push_back({names(samples), canonical(part)});

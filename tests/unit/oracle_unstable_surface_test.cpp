@@ -92,13 +92,13 @@ TEST(OracleUnstableSurface, OnlyFacesOfDimension1HaveSheets) {
 }
 
 TEST(LineIntervals, AreOneWhereTheyMeet) {
-  const auto at = [](int x) { return Coordinate{0, x}; };
-  const Interval low = {at(0), at(1)}, point = {at(1), at(1), true, true}, high = {at(1), Coordinate{1, 0}};
+  const auto at = [](int x) { return Corner(Point{x, 0, 0}); };
+  const Interval low = {at(0), at(1)}, point = {at(1), at(1), true, true}, high = {at(1), {{1, 0, 0}, true}};
   EXPECT_EQ(components({high, low}).size(), 2U);
   const std::vector<Interval> all = components({high, point, low});
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(all[0].from, at(0));
-  EXPECT_EQ(all[0].to.infinite, 1);
+  EXPECT_EQ(all[0].to, Corner({1, 0, 0}, true));
   EXPECT_FALSE(all[0].has_from);
   EXPECT_TRUE(covers(all, point));
   EXPECT_FALSE(covers(components({high, low}), point));
