@@ -3,8 +3,8 @@
 #include "oracle/merge_tree.h"
 
 #include <algorithm>
-#include <functional>
 #include <map>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 
@@ -14,7 +14,7 @@ namespace oracle {
 
 namespace {
 
-// A critical point that has parts of the tree at its two sides.
+// A critical point that has parts of the tree at its two sides, each by one of its leaves.
 struct Join {
   std::size_t point = 0;  // by place in the list of all
   std::size_t one = 0, other = 0;
@@ -22,48 +22,38 @@ struct Join {
 
 class TreeBuilder {
  public:
-  explicit TreeBuilder(std::size_t leaves) : tree_{leaves, {}} {
-    for (std::size_t leaf = 0; leaf < leaves; ++leaf) part_of_.push_back(leaf);
+  explicit TreeBuilder(std::size_t leaves) : tree_{leaves, {}}, part_of_(leaves) {
+    std::iota(part_of_.begin(), part_of_.end(), std::size_t{0});
   }
 
-  // The part that has the leaf by now.
-  std::size_t part_of(std::size_t leaf) const { return part_of_[leaf]; }
+  bool are_joined(std::size_t leaf, std::size_t other) const { return part_of_[leaf] == part_of_[other]; }
 
   // Adds the nodes of one value. The joins are in the order of their points.
   void merge(const Rational& value, const std::vector<Join>& joins) {
-    std::map<std::size_t, std::size_t> group;  // of a part: the least part that it is joined to
+    const std::vector<std::size_t> before = part_of_;
+    std::vector<std::size_t> group = before;  // by leaf: the same number for parts that are joined
     for (const Join& join : joins) {
-      const std::size_t one = group.try_emplace(join.one, join.one).first->second;
-      const std::size_t other = group.try_emplace(join.other, join.other).first->second;
-      for (auto& [part, least] : group) least = least == std::max(one, other) ? std::min(one, other) : least;
+      std::replace(group.begin(), group.end(), std::size_t{group[join.one]}, std::size_t{group[join.other]});
     }
-    std::map<std::size_t, MergeNode> nodes;  // by the least leaf
-    std::map<std::size_t, std::size_t> least_leaf;
-    for (std::size_t leaf = tree_.leaves; leaf-- > 0;) {
-      const auto found = group.find(part_of_[leaf]);
-      if (found != group.end()) least_leaf[found->second] = leaf;
-    }
-    for (const auto& [part, least] : group) nodes[least_leaf.at(least)].parts.push_back(part);
-    for (const Join& join : joins) {
-      if (join.one != join.other) nodes[least_leaf.at(group.at(join.one))].points.push_back(join.point);
-    }
-    for (auto& [leaf, node] : nodes) {
-      if (node.parts.size() > 1) add(value, std::move(node));
+    std::map<std::size_t, std::set<std::size_t>> parts;  // by group
+    for (std::size_t leaf = 0; leaf < tree_.leaves; ++leaf) parts[group[leaf]].insert(before[leaf]);
+    for (const std::size_t own : group) {  // by the least leaf
+      if (parts[own].size() < 2) continue;
+      MergeNode node{value, {parts[own].begin(), parts[own].end()}, {}};
+      for (const auto& [point, one, other] : joins) {
+        if (group[one] == own && before[one] != before[other]) node.points.push_back(point);
+      }
+      for (std::size_t leaf = 0; leaf < tree_.leaves; ++leaf) {
+        if (group[leaf] == own) part_of_[leaf] = tree_.leaves + tree_.nodes.size();
+      }
+      tree_.nodes.push_back(node);
+      parts[own].clear();
     }
   }
 
   MergeTree tree() && { return std::move(tree_); }
 
  private:
-  void add(const Rational& value, MergeNode node) {
-    node.value = value;
-    const std::size_t number = tree_.leaves + tree_.nodes.size();
-    for (std::size_t& part : part_of_) {
-      if (std::binary_search(node.parts.begin(), node.parts.end(), part)) part = number;
-    }
-    tree_.nodes.push_back(std::move(node));
-  }
-
   MergeTree tree_;
   std::vector<std::size_t> part_of_;  // by leaf
 };
@@ -117,14 +107,14 @@ MergeTree superlevel_tree(const PointSet& set, const std::vector<StationaryPoint
   const auto saddles = by_value(all, 2);
   for (auto level = saddles.rbegin(); level != saddles.rend(); ++level) {
     const auto component = components_above(graph, level->first);
-    std::map<std::size_t, std::size_t> part_of;  // by component: each has a leaf (FC-TREE-01)
+    std::map<std::size_t, std::size_t> leaf_in;  // by component: each has one (FC-TREE-01)
     for (const auto& [vertex, leaf] : leaf_of) {
-      if (component[vertex]) part_of[*component[vertex]] = builder.part_of(leaf);
+      if (component[vertex]) leaf_in[*component[vertex]] = leaf;
     }
     std::vector<Join> joins;
     for (const std::size_t point : level->second) {
       const auto [one, other] = ends_of(graph, all[point]);
-      joins.push_back({point, part_of.at(component[one].value()), part_of.at(component[other].value())});
+      joins.push_back({point, leaf_in.at(component[one].value()), leaf_in.at(component[other].value())});
     }
     builder.merge(level->first, joins);
   }
@@ -143,11 +133,11 @@ MergeTree sublevel_tree(const PointSet& set, const std::vector<StationaryPoint>&
   for (const auto& [value, meeting] : pairs) {
     std::vector<Join> joins;
     for (const auto& [p, q] : meeting) {
-      if (builder.part_of(p) == builder.part_of(q)) continue;
+      if (builder.are_joined(p, q)) continue;
       const std::vector<std::size_t> contact = {set.names[p], set.names[q]};
       const auto found = std::find_if(all.begin(), all.end(), [&](const auto& z) { return z.contact == contact; });
       if (found == all.end()) throw std::logic_error("samples whose balls meet first are no index-1 point");
-      joins.push_back({static_cast<std::size_t>(found - all.begin()), builder.part_of(p), builder.part_of(q)});
+      joins.push_back({static_cast<std::size_t>(found - all.begin()), p, q});
     }
     std::sort(joins.begin(), joins.end(), [](const Join& a, const Join& b) { return a.point < b.point; });
     builder.merge(value, joins);

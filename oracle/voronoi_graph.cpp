@@ -27,23 +27,16 @@ std::vector<VoronoiVertex> vertices_of(const PointSet& set) {
   return vertices;
 }
 
-Point centre_of(const PointSet& set, const Places& polygon) {
-  return circumcentre(spanning_subset(select(set.points, polygon)))->center;  // independent points always have one
-}
-
 // Along an edge, d^2 grows with the distance from the centre of its polygon. So it is least at the centre, if that is
-// between the ends, and else at an end.
-Rational least_between(const PointSet& set, const Places& polygon, const VoronoiVertex& a, const VoronoiVertex& b) {
-  const Point centre = centre_of(set, polygon), way = minus(b.position, a.position);
-  const bool is_between = dot(minus(centre, a.position), way) >= 0 && dot(minus(centre, b.position), way) <= 0;
-  if (is_between) return squared_distance(centre, set.points[polygon[0]]);
-  return std::min(a.squared_distance, b.squared_distance);
-}
-
-Rational least_beyond(const PointSet& set, const Places& polygon, const VoronoiVertex& a, const Point& way) {
-  const Point centre = centre_of(set, polygon);
-  const bool is_ahead = dot(minus(centre, a.position), way) >= 0;
-  return is_ahead ? squared_distance(centre, set.points[polygon[0]]) : a.squared_distance;
+// ahead of `from` and behind `to`, if there is one, and else at an end.
+Rational least_on(const PointSet& set, const Places& polygon, const VoronoiVertex& from, const Point& way,
+                  const VoronoiVertex* to) {
+  const Point centre = circumcentre(spanning_subset(select(set.points, polygon)))->center;
+  const bool is_ahead = dot(minus(centre, from.position), way) >= 0;
+  if (is_ahead && (to == nullptr || dot(minus(centre, to->position), way) <= 0)) {
+    return squared_distance(centre, set.points[polygon[0]]);
+  }
+  return is_ahead ? to->squared_distance : from.squared_distance;
 }
 
 void add_bounded(const PointSet& set, VoronoiGraph& graph) {
@@ -55,7 +48,7 @@ void add_bounded(const PointSet& set, VoronoiGraph& graph) {
                             std::back_inserter(common));
       const Places polygon = places_of(set, common);
       if (affine_dimension(select(set.points, polygon)) != 2) continue;
-      graph.edges.push_back({common, a, b, least_between(set, polygon, from, to)});
+      graph.edges.push_back({common, a, b, least_on(set, polygon, from, minus(to.position, from.position), &to)});
     }
   }
 }
@@ -74,7 +67,7 @@ void add_ray(const PointSet& set, std::size_t vertex, const Places& three, const
   const std::vector<std::size_t> names = select(set.names, polygon);
   const auto is_listed = [&](const VoronoiEdge& edge) { return edge.polygon == names; };
   if (std::any_of(graph.edges.begin(), graph.edges.end(), is_listed)) return;
-  graph.edges.push_back({names, vertex, std::nullopt, least_beyond(set, polygon, from, r)});
+  graph.edges.push_back({names, vertex, std::nullopt, least_on(set, polygon, from, r, nullptr)});
 }
 
 void add_rays(const PointSet& set, VoronoiGraph& graph) {
