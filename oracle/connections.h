@@ -1,11 +1,14 @@
-// Which stationary points lead to which, from the λ-lists alone (FC-CONN-01 to 03).
+// Which stationary points lead to which, from the λ-lists alone (FC-CONN-01 to 03), and to which maxima (FC-POCK-01).
 //
 // The orbits that leave a stationary point y end at stationary points or at infinity. The graph counts in how many ways
-// they end at each of these. Exact, for any finite point set of any dimension.
+// they end at each of these. `all` has all stationary points in the order of FC-OUT-02. Exact, for any finite point set
+// of any dimension.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "oracle/unstable_set.h"
@@ -23,13 +26,25 @@ struct Connection {
 };
 
 // All connections from stationary points that are not samples (FC-CONN-01, 02). They are in the order of FC-OUT-02 by
-// `from`, then by `to`, and infinity is last. The second function is for callers that know the stationary points: `all`
-// has them in the order of FC-OUT-02.
-std::vector<Connection> connections(const PointSet& set);
+// `from`, then by `to`, and infinity is last.
 std::vector<Connection> connections(const PointSet& set, const std::vector<StationaryPoint>& all);
 
 // FC-CONN-03.
-bool is_morse_smale(const PointSet& set);
 bool is_morse_smale(const PointSet& set, const std::vector<StationaryPoint>& all);
+
+// The place of a limit in `all`. Infinity comes behind all of them.
+std::size_t place_of(const std::vector<StationaryPoint>& all, const std::optional<StationaryPoint>& limit);
+
+// Maxima by their ordinal among the maxima, infinity behind all of them: the leaves of superlevel_tree().
+using Peaks = std::set<std::size_t>;
+
+// The maxima to which the flow can go on. Infinity counts as one.
+struct PeaksAbove {
+  // By place_of(). For samples, above which there is all that is beside them, nothing is listed.
+  std::vector<Peaks> of;
+  // For critical points of index 2, those above the limit of side 0 and of side 1; else empty.
+  std::vector<std::array<Peaks, 2>> of_sides;
+};
+PeaksAbove peaks_above(const PointSet& set, const std::vector<StationaryPoint>& all);
 
 }  // namespace oracle

@@ -66,6 +66,11 @@ Orbit orbit(const PointSet& set, const Point& start) {
   return path;
 }
 
+Location locate(const PointSet& set, const Point& x) {
+  if (set.points.empty()) throw std::invalid_argument("without samples no point has a location");
+  return {orbit(set, x).limit, contact_set(set, x)};
+}
+
 // The points of C(x) lie on a circle, so no three are on a line. All of them stay nearest along the circle's axis.
 FlowSegment unstable_segment(const PointSet& set, const StationaryPoint& saddle, int side) {
   if (saddle.face_dimension != 2 || saddle.hull_dimension != 2 || side < 0 || side > 1) {

@@ -1,5 +1,5 @@
-// The orbit of a point under the flow of the distance function, from the definitions alone (FC-FLOW-01 to
-// 07).
+// The orbit of a point under the flow of the distance function, from the definitions alone (FC-FLOW-01 to 07), and its
+// location (FC-LOC-01).
 //
 // Each segment of an orbit costs two scans over all points. One finds the first point that the way meets, the other
 // the contact set there. Exact, for any start and any finite point set of any dimension.
@@ -37,6 +37,17 @@ Places crossed_places(const PointSet& set, const Places& contact, const Point& d
 std::optional<FlowSegment> flow_segment(const PointSet& set, const Point& x);
 
 Orbit orbit(const PointSet& set, const Point& start);
+
+// Where a point of space flows to, and the samples that are nearest to it, by class names, ascending.
+struct Location {
+  std::optional<StationaryPoint> limit;  // nothing: infinity
+  std::vector<std::size_t> nearest;
+
+  friend bool operator==(const Location&, const Location&) = default;
+};
+
+// Throws std::invalid_argument for the empty set (FC-LOC-02).
+Location locate(const PointSet& set, const Point& x);
 
 // One of the two orbits of U2 of a critical point x of index 2 (FC-FLOW-07). x itself does not move. The orbit leaves
 // it along the line of all points equally far from C(x), and has contact set C(x) for all small t > 0. Its first

@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
+#include "oracle/connections.h"
 #include "oracle/merge_tree.h"
-#include "oracle/peaks_above.h"
 #include "oracle/roots.h"
 #include "oracle/stable_pieces.h"
 
@@ -168,71 +168,48 @@ void widen(std::optional<WidestPath>& widest, const WidestPath& path) {
   }
 }
 
-class Description {
- public:
-  Description(const Landscape& land, const std::vector<std::size_t>& number_of) : land_(land), number_of_(number_of) {}
-
-  Pocket pocket(std::size_t number) const {
-    Pocket result;
-    std::vector<std::size_t> peak_leaves;
-    for (std::size_t leaf = 0; leaf < land_.infinity(); ++leaf) {
-      if (number_of_[leaf] != number) continue;
-      result.maxima.push_back(land_.maxima[leaf]);
-      if (!peak_leaves.empty() && land_.value(peak_leaves[0]) < land_.value(leaf)) peak_leaves.clear();
-      if (peak_leaves.empty() || land_.value(peak_leaves[0]) == land_.value(leaf)) peak_leaves.push_back(leaf);
-    }
-    result.peaks = select(land_.maxima, peak_leaves);
-    add_cell(number, result);
-    result.height = land_.value(peak_leaves[0]);
-    add_mouths(number, result);
-    std::optional<WidestPath> widest;
-    for (const std::size_t leaf : peak_leaves) {
-      const Rational value = joining_value(land_.tree, leaf, land_.infinity()).value();
-      widen(widest, {value, last_gates(land_, leaf, value)});
-    }
-    result.to_infinity = widest.value();
-    return result;
+Pocket described(const Landscape& land, const std::vector<std::size_t>& number_of, std::size_t number) {
+  Pocket pocket;
+  std::vector<std::size_t> leaves;
+  for (std::size_t leaf = 0; leaf < land.infinity(); ++leaf) {
+    if (number_of[leaf] == number) leaves.push_back(leaf);
   }
-
- private:
-  void add_cell(std::size_t number, Pocket& pocket) const {
-    for (std::size_t place = 0; place < land_.all.size(); ++place) {
-      if (pockets_of(number_of_, land_.above.of[place]) != Peaks{number}) continue;
+  pocket.maxima = select(land.maxima, leaves);
+  for (const std::size_t leaf : leaves) pocket.height = std::max(pocket.height, land.value(leaf));
+  std::optional<WidestPath> widest;
+  for (const std::size_t leaf : leaves) {
+    if (land.value(leaf) != pocket.height) continue;
+    pocket.peaks.push_back(land.maxima[leaf]);
+    const Rational value = joining_value(land.tree, leaf, land.infinity()).value();
+    widen(widest, {value, last_gates(land, leaf, value)});
+  }
+  pocket.to_infinity = widest.value();
+  Peaks neighbours;
+  for (std::size_t place = 0; place < land.all.size(); ++place) {
+    const Peaks beside = pockets_of(number_of, land.above.of[place]);
+    if (beside.count(number) == 0) continue;
+    if (beside.size() == 1) {
       pocket.cell.push_back(place);
-      pocket.volume += volume(land_.set, stable_set(land_.set, land_.all[place]));
-    }
-  }
-
-  void add_mouths(std::size_t number, Pocket& pocket) const {
-    std::optional<Rational> highest;
-    Peaks neighbours;
-    for (std::size_t place = 0; place < land_.all.size(); ++place) {
-      const Peaks beside = pockets_of(number_of_, land_.above.of[place]);
-      if (!land_.is_index_2(place) || beside.count(number) == 0 || beside.size() < 2) continue;
+      pocket.volume += volume(land.set, stable_set(land.set, land.all[place]));
+    } else if (land.is_index_2(place)) {
       pocket.mouths.push_back(place);
       neighbours.insert(beside.begin(), beside.end());
-      const Rational& value = land_.all[place].squared_distance;
-      highest = highest ? std::max(*highest, value) : value;
+      pocket.highest_mouth = std::max(pocket.highest_mouth, land.all[place].squared_distance);
     }
-    neighbours.erase(number);
-    pocket.neighbours.assign(neighbours.begin(), neighbours.end());
-    pocket.highest_mouth = highest.value();
   }
-
-  const Landscape& land_;
-  const std::vector<std::size_t>& number_of_;
-};
+  neighbours.erase(number);
+  pocket.neighbours.assign(neighbours.begin(), neighbours.end());
+  return pocket;
+}
 
 // Pockets get numbers in the order of their first leaves, and the outside gets the last one.
 std::vector<std::size_t> numbered(const std::vector<std::size_t>& pocket_of) {
-  std::map<std::size_t, std::size_t> number_of;
+  std::vector<std::size_t> first, numbers;
+  const auto number = [&](std::size_t pocket) { return std::find(first.begin(), first.end(), pocket) - first.begin(); };
   for (const std::size_t pocket : pocket_of) {
-    if (pocket != pocket_of.back()) number_of.try_emplace(pocket, number_of.size());
+    if (pocket != pocket_of.back() && number(pocket) == std::ssize(first)) first.push_back(pocket);
   }
-  number_of.emplace(pocket_of.back(), number_of.size());
-  std::vector<std::size_t> numbers;
-  numbers.reserve(pocket_of.size());
-  for (const std::size_t pocket : pocket_of) numbers.push_back(number_of.at(pocket));
+  for (const std::size_t pocket : pocket_of) numbers.push_back(static_cast<std::size_t>(number(pocket)));
   return numbers;
 }
 
@@ -243,8 +220,9 @@ Pockets pockets(const PointSet& set, const std::vector<StationaryPoint>& all, co
   const Landscape land(set, all);
   const std::vector<std::size_t> numbers = numbered(Merging(land, squared_persistence).pocket_of());
   Pockets result;
-  const Description description(land, numbers);
-  for (std::size_t number = 0; number < numbers.back(); ++number) result.pockets.push_back(description.pocket(number));
+  for (std::size_t number = 0; number < numbers.back(); ++number) {
+    result.pockets.push_back(described(land, numbers, number));
+  }
   for (std::size_t leaf = 0; leaf < land.infinity(); ++leaf) {
     if (numbers[leaf] == numbers.back()) result.outside.push_back(land.maxima[leaf]);
   }
@@ -261,12 +239,7 @@ std::vector<std::size_t> pockets_above(const PointSet& set, const std::vector<St
       if (std::binary_search(own.begin(), own.end(), maxima[leaf])) number_of[leaf] = number;
     }
   }
-  Peaks leaves = {maxima.size()};
-  if (limit) {
-    const auto place = std::find(all.begin(), all.end(), *limit) - all.begin();
-    leaves = peaks_above(set, all).of[static_cast<std::size_t>(place)];
-  }
-  const Peaks found = pockets_of(number_of, leaves);
+  const Peaks found = pockets_of(number_of, peaks_above(set, all).of[place_of(all, limit)]);
   return {found.begin(), found.end()};
 }
 

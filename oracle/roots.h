@@ -1,4 +1,5 @@
-// Differences and sums of square roots of rationals: comparisons, and whether a double stands for one (FC-POCK-11).
+// Differences of square roots of rationals, which are lengths (FC-PERS-06), and whether a double stands for a sum of
+// them (FC-POCK-11).
 //
 // No root is rounded: differences are decided by squaring, and sums by integer roots on both sides. Exact.
 #pragma once
@@ -9,14 +10,8 @@
 
 namespace oracle {
 
-// The sign of sqrt(a) - sqrt(b) - x. a and b are not negative.
-int compare_root_difference(const Rational& a, const Rational& b, const Rational& x);
-
 // Whether sqrt(a) - sqrt(b) is at most sqrt(c). None of them is negative.
 bool is_root_difference_up_to(const Rational& a, const Rational& b, const Rational& c);
-
-// Whether x is the double nearest to sqrt(a) - sqrt(b); of two that are equally near, either is.
-bool is_nearest_root_difference(double x, const Rational& a, const Rational& b);
 
 // Whether x is the sum of the roots of these numbers, which are not negative, but for a share of 2^-40 of it.
 bool is_root_sum(double x, const std::vector<Rational>& squares);

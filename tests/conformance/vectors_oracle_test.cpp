@@ -7,7 +7,6 @@
 
 #include <sstream>
 
-#include "oracle/location.h"
 #include "oracle/orbit.h"
 #include "oracle/program/read_points.h"
 #include "oracle/program/read_records.h"

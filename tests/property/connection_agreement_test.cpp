@@ -85,7 +85,8 @@ void require_right_graph(const Subject& subject, Totals& totals) {
   const StationaryPoints& stationary = subject.complex.stationary();
   const FlowLimits limits(subject.complex.diagram(), stationary);
   const std::vector<Connection> connected = connections(limits);
-  const std::vector<oracle::Connection> by_oracle = oracle::connections(subject.set);
+  const std::vector<oracle::StationaryPoint> all = oracle::stationary_points(subject.set).stationary;
+  const std::vector<oracle::Connection> by_oracle = oracle::connections(subject.set, all);
   const std::vector<Edge> fast = edges_of(stationary, connected), its = edges_of(by_oracle);
   require_none(subject.input, fast == its ? "" : "another graph",
                "the fast implementation's:\n" + in_words(fast) + "the oracle's:\n" + in_words(its));
@@ -94,9 +95,9 @@ void require_right_graph(const Subject& subject, Totals& totals) {
                elsewhere == orbits_that_end_elsewhere(by_oracle) ? "" : "another number of orbits that end elsewhere",
                std::to_string(elsewhere));
   const bool is_right = is_morse_smale(stationary, limits, subject.complex.stable());
-  require_none(subject.input,
-               is_right == oracle::is_morse_smale(subject.set) ? "" : "only one of them says that it is Morse-Smale",
-               "");
+  require_none(
+      subject.input,
+      is_right == oracle::is_morse_smale(subject.set, all) ? "" : "only one of them says that it is Morse-Smale", "");
   ++totals.inputs;
   totals.edges += fast.size();
   totals.morse_smale += is_right ? 1 : 0;

@@ -19,14 +19,15 @@
 #include "flowcert/surface_area.h"
 #include "fuzz/inputs/chambers.h"
 #include "geometry/difference_of_roots.h"
+#include "oracle/connections.h"
 #include "oracle/merge_tree.h"
-#include "oracle/peaks_above.h"
 #include "oracle/pockets.h"
 #include "oracle/roots.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
 #include "tests/property/family_run.h"
 #include "tests/property/orbit_subject.h"
+#include "tests/root_differences.h"
 
 namespace flowcert::property::pocket_agreement_test {
 namespace {

@@ -21,7 +21,7 @@ namespace {
 using Rows = std::vector<std::array<double, 3>>;
 
 struct Subject {
-  explicit Subject(const Rows& rows) : set(rows), all(stationary_points(set).stationary), graph(connections(set)) {
+  explicit Subject(const Rows& rows) : set(rows), all(stationary_points(set).stationary), graph(connections(set, all)) {
     for (const StationaryPoint& z : all) {
       if (z.face_dimension == 2 && z.is_critical()) {
         stable.emplace(z.center, stable_set(set, z));
@@ -203,7 +203,7 @@ TEST(OracleConnectionsFamilies, HoldsToItsLawsInAllFamilies) {
     expect_separated(subject, count);
     expect_connecting_orbits(subject);
     if (!subject.has_tie) expect_boundaries(subject);
-    const bool morse_smale = is_morse_smale(subject.set);
+    const bool morse_smale = is_morse_smale(subject.set, subject.all);
     EXPECT_EQ(has_limits_of_morse_smale(subject), morse_smale);
     EXPECT_TRUE(subject.has_tie || morse_smale);
     ++count.inputs;

@@ -8,9 +8,9 @@
 #include <map>
 #include <string>
 
-#include "oracle/location.h"
+#include "oracle/connections.h"
 #include "oracle/medial_axis.h"
-#include "oracle/peaks_above.h"
+#include "oracle/orbit.h"
 #include "oracle/persistence.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "oracle/location.h"
+#include "oracle/orbit.h"
 #include "tests/cites.h"
 
 namespace oracle::oracle_location_test {

@@ -12,8 +12,8 @@
 #include <numeric>
 #include <set>
 
+#include "oracle/connections.h"
 #include "oracle/merge_tree.h"
-#include "oracle/peaks_above.h"
 #include "oracle/persistence.h"
 #include "oracle/pockets.h"
 #include "oracle/roots.h"

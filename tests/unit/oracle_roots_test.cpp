@@ -7,6 +7,7 @@
 #include "oracle/roots.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
+#include "tests/root_differences.h"
 
 namespace oracle::oracle_roots_test {
 namespace {

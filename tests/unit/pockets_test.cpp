@@ -16,8 +16,8 @@
 #include "flowcert/write_pockets.h"
 #include "geometry/difference_of_roots.h"
 #include "morse/saddle_radii.h"
-#include "oracle/roots.h"
 #include "tests/cites.h"
+#include "tests/root_differences.h"
 
 namespace flowcert::pockets_test {
 namespace {

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "oracle/connections.h"
-#include "oracle/location.h"
 #include "oracle/orbit.h"
 #include "oracle/persistence.h"
 #include "oracle/stable_set.h"

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <set>
 
+#include "oracle/connections.h"
 #include "oracle/medial_axis.h"
 #include "oracle/orbit.h"
-#include "oracle/peaks_above.h"
 #include "oracle/roots.h"
 #include "oracle/stable_set.h"
 
@@ -99,7 +99,9 @@ Rational short_root(const Rational& square, bool rounds_up) {
 
 Rational short_length(const Rational& death, const Rational& birth) {
   constexpr unsigned kBits = 12;
-  const auto is_enough = [&](const Rational& length) { return compare_root_difference(death, birth, length) <= 0; };
+  const auto is_enough = [&](const Rational& length) {
+    return is_root_difference_up_to(death, birth, length * length);
+  };
   Rational unit = 1;  // the length is greater than half of it, and not greater than all
   while (is_enough(unit / 2)) unit /= 2;
   while (!is_enough(unit)) unit *= 2;

@@ -3,7 +3,7 @@
 // Guarantees: exact; keys in the order of the formats. A pocket's number is its place, and -1 is the outside.
 #pragma once
 
-#include "oracle/location.h"
+#include "oracle/orbit.h"
 #include "oracle/program/answer_fields.h"
 #include "oracle/stable_set.h"
 #include "tests/vectors/landscape.h"

@@ -135,7 +135,7 @@ bool has_merged_outside(const Findings& found) {
 }
 bool has_pocket_apart(const Findings& found) {
   return some_pocket(found, [](const PocketAnswer& answer, const Pocket& one) {
-    return compare_root_difference(one.height, one.highest_mouth, answer.persistence) <= 0;
+    return is_root_difference_up_to(one.height, one.highest_mouth, answer.persistence * answer.persistence);
   });
 }
 bool has_several_peaks(const Findings& found) {
