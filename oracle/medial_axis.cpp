@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "oracle/orbit.h"
-#include "oracle/roots.h"
 #include "oracle/unstable_surface.h"
 
 namespace oracle {

@@ -3,6 +3,7 @@
 #include "oracle/merge_tree.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <set>
@@ -58,15 +59,6 @@ class TreeBuilder {
   std::vector<std::size_t> part_of_;  // by leaf
 };
 
-// The critical points of an index, by value.
-std::map<Rational, std::vector<std::size_t>> by_value(const std::vector<StationaryPoint>& all, int index) {
-  std::map<Rational, std::vector<std::size_t>> result;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    if (all[k].is_critical() && all[k].hull_dimension == index) result[all[k].squared_distance].push_back(k);
-  }
-  return result;
-}
-
 // The Voronoi vertices, or infinity, at the two ends of the Voronoi edge of an index-2 point.
 std::array<std::size_t, 2> ends_of(const VoronoiGraph& graph, const StationaryPoint& z) {
   for (const VoronoiEdge& edge : graph.edges) {
@@ -104,19 +96,22 @@ MergeTree superlevel_tree(const PointSet& set, const std::vector<StationaryPoint
   const VoronoiGraph graph = voronoi_graph(set);
   const auto leaf_of = leaf_of_vertex(graph, all);
   TreeBuilder builder(leaf_of.size());
-  const auto saddles = by_value(all, 2);
-  for (auto level = saddles.rbegin(); level != saddles.rend(); ++level) {
-    const auto component = components_above(graph, level->first);
+  std::map<Rational, std::vector<std::size_t>, std::greater<>> levels;  // index-2 points by value
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (all[k].is_critical() && all[k].hull_dimension == 2) levels[all[k].squared_distance].push_back(k);
+  }
+  for (const auto& [value, saddles] : levels) {
+    const auto component = components_above(graph, value);
     std::map<std::size_t, std::size_t> leaf_in;  // by component: each has one (FC-TREE-01)
     for (const auto& [vertex, leaf] : leaf_of) {
       if (component[vertex]) leaf_in[*component[vertex]] = leaf;
     }
     std::vector<Join> joins;
-    for (const std::size_t point : level->second) {
+    for (const std::size_t point : saddles) {
       const auto [one, other] = ends_of(graph, all[point]);
       joins.push_back({point, leaf_in.at(component[one].value()), leaf_in.at(component[other].value())});
     }
-    builder.merge(level->first, joins);
+    builder.merge(value, joins);
   }
   return std::move(builder).tree();
 }

@@ -50,20 +50,23 @@ std::map<Places, Ball> enclosing_balls(const PointSet& set) {
   return balls;
 }
 
-// A simplex, and the value at which it enters the filtration. It comes after its facets.
+// A simplex, and the value at which it enters the filtration. They are ordered member by member, so that a simplex
+// comes after its facets.
 struct Cell {
   Rational value;
+  std::size_t size = 0;
   Places simplex;
 
   friend bool operator<(const Cell& a, const Cell& b) {
-    if (a.value != b.value) return a.value < b.value;
-    return std::forward_as_tuple(a.simplex.size(), a.simplex) < std::forward_as_tuple(b.simplex.size(), b.simplex);
+    return std::tie(a.value, a.size, a.simplex) < std::tie(b.value, b.size, b.simplex);
   }
 };
 
 std::vector<Cell> filtration(const PointSet& set) {
   std::vector<Cell> cells;
-  for (const auto& [simplex, ball] : enclosing_balls(set)) cells.push_back({ball.squared_radius, simplex});
+  for (const auto& [simplex, ball] : enclosing_balls(set)) {
+    cells.push_back({ball.squared_radius, simplex.size(), simplex});
+  }
   std::sort(cells.begin(), cells.end());
   return cells;
 }
@@ -111,6 +114,12 @@ Reduced reduced(std::vector<Column> columns) {
 
 }  // namespace
 
+// sqrt(a) <= sqrt(b) + sqrt(c): the squares of both sides differ by a - b - c and twice the root of bc.
+bool is_root_difference_up_to(const Rational& a, const Rational& b, const Rational& c) {
+  const Rational rest = a - b - c;
+  return rest <= 0 || rest * rest <= 4 * b * c;
+}
+
 bool operator<(const PersistencePair& a, const PersistencePair& b) {
   if (a.dimension != b.dimension) return a.dimension < b.dimension;
   if (a.birth != b.birth) return a.birth < b.birth;
@@ -122,7 +131,7 @@ std::vector<PersistencePair> persistence_pairs(const PointSet& set) {
   const Reduced matrix = reduced(boundary_matrix(cells));
   std::vector<PersistencePair> pairs;
   for (const std::size_t birth : matrix.births) {
-    const int dimension = static_cast<int>(cells[birth].simplex.size()) - 1;
+    const int dimension = static_cast<int>(cells[birth].size) - 1;
     if (dimension == 3) continue;  // the sets of five samples, which would fill these, are not listed
     PersistencePair pair{dimension, cells[birth].value, std::nullopt};
     const auto death = matrix.death_of.find(birth);

@@ -21,6 +21,10 @@ struct PersistencePair {
   friend bool operator==(const PersistencePair&, const PersistencePair&) = default;
 };
 
+// Whether sqrt(a) - sqrt(b) is at most sqrt(c), by squaring. None of them is negative. So lengths are compared with a
+// number, exactly (FC-PERS-06).
+bool is_root_difference_up_to(const Rational& a, const Rational& b, const Rational& c);
+
 // The order by dimension, birth and death. A class that lasts comes last.
 bool operator<(const PersistencePair& a, const PersistencePair& b);
 

@@ -3,12 +3,14 @@
 #include "oracle/pockets.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "oracle/connections.h"
 #include "oracle/merge_tree.h"
-#include "oracle/roots.h"
+#include "oracle/persistence.h"
 #include "oracle/stable_pieces.h"
 
 namespace oracle {
@@ -17,12 +19,11 @@ namespace {
 
 // What all steps ask of. Leaves are those of the merge tree: maxima, and infinity.
 struct Landscape {
-  Landscape(const PointSet& points, const std::vector<StationaryPoint>& list)
-      : set(points),
-        all(list),
-        tree(superlevel_tree(set, all)),
-        maxima(maxima_places(all)),
-        above(peaks_above(set, all)) {}
+  const PointSet& set;
+  const std::vector<StationaryPoint>& all;
+  MergeTree tree;
+  std::vector<std::size_t> maxima;
+  PeaksAbove above;
 
   std::size_t infinity() const { return maxima.size(); }
   const Rational& value(std::size_t leaf) const { return all[maxima[leaf]].squared_distance; }
@@ -39,12 +40,6 @@ struct Landscape {
     }
     return found;
   }
-
-  const PointSet& set;
-  const std::vector<StationaryPoint>& all;
-  MergeTree tree;
-  std::vector<std::size_t> maxima;
-  PeaksAbove above;
 };
 
 // An index-2 point with different components of {d^2 > its value} at its sides.
@@ -65,62 +60,52 @@ std::vector<Gate> gates_at(const Landscape& land, const Rational& value) {
   return gates;
 }
 
-// FC-POCK-02, step by step.
-class Merging {
- public:
-  Merging(const Landscape& land, const Rational& squared_persistence)
-      : land_(land), squared_persistence_(squared_persistence) {
-    for (std::size_t leaf = 0; leaf <= land.infinity(); ++leaf) pocket_of_.push_back(leaf);
-    std::set<Rational, std::greater<>> levels;
-    for (std::size_t k = 0; k < land.all.size(); ++k) {
-      if (land.is_index_2(k)) levels.insert(land.all[k].squared_distance);
-    }
-    for (const Rational& level : levels) merge_at(level);
+bool is_shallow(const Landscape& land, const Peaks& component, const Rational& level,
+                const Rational& squared_persistence) {
+  return std::all_of(component.begin(), component.end(), [&](std::size_t leaf) {
+    return leaf != land.infinity() && is_root_difference_up_to(land.value(leaf), level, squared_persistence);
+  });
+}
+
+// FC-POCK-02, at one value. All of a shallow component is one pocket already. First these join each other, and then,
+// each group of them at once, what is not shallow. `pocket_of` has a number for each leaf, the same for those of one
+// pocket.
+void merge_at(const Landscape& land, const Rational& level, const Rational& squared_persistence,
+              std::vector<std::size_t>& pocket_of) {
+  std::map<std::size_t, Peaks> beyond;  // by the shallow pocket: the pockets that are not, behind gates
+  const std::vector<Gate> gates = gates_at(land, level);
+  const auto is_shallow_at = [&](const Gate& gate, std::size_t side) {
+    return is_shallow(land, gate.components[side], level, squared_persistence);
+  };
+  for (const Gate& gate : gates) {
+    if (!is_shallow_at(gate, 0) || !is_shallow_at(gate, 1)) continue;
+    const std::size_t one = pocket_of[*gate.components[0].begin()], other = pocket_of[*gate.components[1].begin()];
+    std::replace(pocket_of.begin(), pocket_of.end(), one, other);
   }
-
-  // A number for each leaf, the same for those of one pocket.
-  const std::vector<std::size_t>& pocket_of() const { return pocket_of_; }
-
- private:
-  bool is_shallow(const Peaks& component, const Rational& level) const {
-    return std::all_of(component.begin(), component.end(), [&](std::size_t leaf) {
-      return leaf != land_.infinity() && is_root_difference_up_to(land_.value(leaf), level, squared_persistence_);
-    });
-  }
-
-  void join(std::size_t one, std::size_t other) {
-    std::replace(pocket_of_.begin(), pocket_of_.end(), std::max(one, other), std::min(one, other));
-  }
-
-  // All of a shallow component is one pocket already. First these join each other, and then, each group of them at
-  // once, what is not shallow.
-  void merge_at(const Rational& level) {
-    const std::vector<Gate> gates = gates_at(land_, level);
-    for (const Gate& gate : gates) {
-      if (!is_shallow(gate.components[0], level) || !is_shallow(gate.components[1], level)) continue;
-      join(pocket_of_[*gate.components[0].begin()], pocket_of_[*gate.components[1].begin()]);
-    }
-    std::map<std::size_t, Peaks> beyond;  // by the shallow pocket: the pockets that are not, behind gates
-    for (const Gate& gate : gates) {
-      for (const std::size_t side : {0U, 1U}) {
-        if (!is_shallow(gate.components[side], level) || is_shallow(gate.components[1 - side], level)) continue;
-        Peaks& found = beyond[pocket_of_[*gate.components[side].begin()]];
-        for (const std::size_t leaf : gate.sides[1 - side]) found.insert(pocket_of_[leaf]);
-      }
-    }
-    const std::vector<std::size_t> before = pocket_of_;
-    for (const auto& [shallow, others] : beyond) {
-      if (others.size() > 1) continue;
-      for (std::size_t leaf = 0; leaf < before.size(); ++leaf) {
-        if (before[leaf] == shallow) pocket_of_[leaf] = *others.begin();
-      }
+  for (const Gate& gate : gates) {
+    for (const std::size_t side : {0U, 1U}) {
+      if (!is_shallow_at(gate, side) || is_shallow_at(gate, 1 - side)) continue;
+      Peaks& found = beyond[pocket_of[*gate.components[side].begin()]];
+      for (const std::size_t leaf : gate.sides[1 - side]) found.insert(pocket_of[leaf]);
     }
   }
+  const std::vector<std::size_t> before = pocket_of;
+  for (std::size_t leaf = 0; leaf < before.size(); ++leaf) {
+    const auto others = beyond.find(before[leaf]);
+    if (others != beyond.end() && others->second.size() == 1) pocket_of[leaf] = *others->second.begin();
+  }
+}
 
-  const Landscape& land_;
-  const Rational& squared_persistence_;
-  std::vector<std::size_t> pocket_of_;
-};
+std::vector<std::size_t> merged(const Landscape& land, const Rational& squared_persistence) {
+  std::vector<std::size_t> pocket_of(land.infinity() + 1);
+  std::iota(pocket_of.begin(), pocket_of.end(), std::size_t{0});
+  std::set<Rational, std::greater<>> levels;
+  for (std::size_t k = 0; k < land.all.size(); ++k) {
+    if (land.is_index_2(k)) levels.insert(land.all[k].squared_distance);
+  }
+  for (const Rational& level : levels) merge_at(land, level, squared_persistence, pocket_of);
+  return pocket_of;
+}
 
 // The pockets of some leaves.
 Peaks pockets_of(const std::vector<std::size_t>& number_of, const Peaks& leaves) {
@@ -217,8 +202,8 @@ std::vector<std::size_t> numbered(const std::vector<std::size_t>& pocket_of) {
 
 Pockets pockets(const PointSet& set, const std::vector<StationaryPoint>& all, const Rational& squared_persistence) {
   if (set.points.empty()) return {};
-  const Landscape land(set, all);
-  const std::vector<std::size_t> numbers = numbered(Merging(land, squared_persistence).pocket_of());
+  const Landscape land{set, all, superlevel_tree(set, all), maxima_places(all), peaks_above(set, all)};
+  const std::vector<std::size_t> numbers = numbered(merged(land, squared_persistence));
   Pockets result;
   for (std::size_t number = 0; number < numbers.back(); ++number) {
     result.pockets.push_back(described(land, numbers, number));

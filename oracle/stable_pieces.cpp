@@ -164,18 +164,16 @@ std::vector<std::array<std::size_t, 2>> boundary_edges(const StableSet& stable) 
 }
 
 std::size_t segments_without_intervals(const StationaryPoint& z, const StableSet& stable) {
-  std::multimap<Corner, const BackwardSegment*> by_front;
-  for (const BackwardSegment& segment : stable.segments) by_front.emplace(segment.front, &segment);
-  std::vector<Corner> fronts = {z.center};
+  std::set<Corner> ends = {z.center};  // of chains
   std::size_t count = 0;
-  for (std::size_t k = 0; k < fronts.size(); ++k) {
-    const auto [first, last] = by_front.equal_range(fronts[k]);
-    for (auto it = first; it != last; ++it) {
+  for (std::size_t before = 0; before != ends.size();) {
+    before = ends.size();
+    count = 0;
+    for (const BackwardSegment& segment : stable.segments) {
+      if (ends.count(segment.front) == 0) continue;
+      ends.insert(segment.back);
       ++count;
-      const BackKind kind = it->second->back_kind;
-      if (kind == BackKind::kEdge || kind == BackKind::kVertex) fronts.push_back(it->second->back);
     }
-    by_front.erase(first, last);
   }
   return count;
 }

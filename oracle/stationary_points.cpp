@@ -29,45 +29,6 @@ bool output_order(const StationaryPoint& a, const StationaryPoint& b) {
   return key(a) != key(b) ? key(a) < key(b) : a.contact < b.contact;
 }
 
-}  // namespace
-
-std::size_t Answer::count(int face_dimension, int hull_dimension) const {
-  return static_cast<std::size_t>(std::count_if(stationary.begin(), stationary.end(), [&](const StationaryPoint& s) {
-    return s.face_dimension == face_dimension && s.hull_dimension == hull_dimension;
-  }));
-}
-
-std::array<std::size_t, 4> Answer::critical_counts() const {
-  return {count(0, 0), count(1, 1), count(2, 2), count(3, 3)};
-}
-
-std::array<std::size_t, 3> Answer::regular_counts() const { return {count(1, 2), count(1, 3), count(2, 3)}; }
-
-StationaryPoint stationary_point(const PointSet& set, const Point& x, const Places& contact) {
-  const std::vector<Point> points = select(set.points, contact);
-  return {x, squared_distance(x, points[0]), select(set.names, contact), face_dimension(points, x).value(),
-          affine_dimension(points)};
-}
-
-Answer stationary_points(const PointSet& set) {
-  std::map<Places, Point> found;  // contact set -> stationary point (FC-CRIT-06)
-  for_each_subset(set.points.size(), 4, [&](const Places& subset) {
-    const auto center = set.inner_circumcentre(subset);
-    if (!center) return;
-    // The subset's points are equally far from the centre. So if one is nearest, all are, and no point is nearer.
-    const Places nearest = set.nearest_places(*center);
-    if (std::binary_search(nearest.begin(), nearest.end(), subset[0])) found.emplace(nearest, *center);
-  });
-  Answer answer{set.points.size() + set.merged_duplicates, set.merged_duplicates, {}};
-  for (const auto& [contact, x] : found) answer.stationary.push_back(stationary_point(set, x, contact));
-  std::sort(answer.stationary.begin(), answer.stationary.end(), output_order);
-  return answer;
-}
-
-Answer stationary_points(const std::vector<std::array<double, 3>>& rows) { return stationary_points(PointSet(rows)); }
-
-namespace {
-
 // FC-OUT-01: a list of class names, ascending.
 std::optional<Fault> check_names(const PointSet& set, const std::vector<std::size_t>& contact) {
   if (contact.empty()) return Fault{"FC-OUT-01", "the claimed contact set is empty"};
@@ -110,6 +71,41 @@ std::optional<Fault> check_contact(const PointSet& set, const Places& places, co
 }
 
 }  // namespace
+
+std::size_t Answer::count(int face_dimension, int hull_dimension) const {
+  return static_cast<std::size_t>(std::count_if(stationary.begin(), stationary.end(), [&](const StationaryPoint& s) {
+    return s.face_dimension == face_dimension && s.hull_dimension == hull_dimension;
+  }));
+}
+
+std::array<std::size_t, 4> Answer::critical_counts() const {
+  return {count(0, 0), count(1, 1), count(2, 2), count(3, 3)};
+}
+
+std::array<std::size_t, 3> Answer::regular_counts() const { return {count(1, 2), count(1, 3), count(2, 3)}; }
+
+StationaryPoint stationary_point(const PointSet& set, const Point& x, const Places& contact) {
+  const std::vector<Point> points = select(set.points, contact);
+  return {x, squared_distance(x, points[0]), select(set.names, contact), face_dimension(points, x).value(),
+          affine_dimension(points)};
+}
+
+Answer stationary_points(const PointSet& set) {
+  std::map<Places, Point> found;  // contact set -> stationary point (FC-CRIT-06)
+  for_each_subset(set.points.size(), 4, [&](const Places& subset) {
+    const auto center = set.inner_circumcentre(subset);
+    if (!center) return;
+    // The subset's points are equally far from the centre. So if one is nearest, all are, and no point is nearer.
+    const Places nearest = set.nearest_places(*center);
+    if (std::binary_search(nearest.begin(), nearest.end(), subset[0])) found.emplace(nearest, *center);
+  });
+  Answer answer{set.points.size() + set.merged_duplicates, set.merged_duplicates, {}};
+  for (const auto& [contact, x] : found) answer.stationary.push_back(stationary_point(set, x, contact));
+  std::sort(answer.stationary.begin(), answer.stationary.end(), output_order);
+  return answer;
+}
+
+Answer stationary_points(const std::vector<std::array<double, 3>>& rows) { return stationary_points(PointSet(rows)); }
 
 std::optional<Fault> certify(const PointSet& set, const StationaryPoint& claim) {
   if (auto fault = check_names(set, claim.contact)) return fault;

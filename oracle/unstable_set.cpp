@@ -9,6 +9,7 @@
 #include "oracle/unstable_set.h"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -115,8 +116,8 @@ std::vector<UnstableEntry> list_of_polygon(const PointSet& set, const Stationary
   std::vector<UnstableEntry> list;
   for (const int sign : {-1, 1}) {
     const Direction u = as_direction(scaled(cross(minus(b, a), minus(c, a)), sign));
-    if (crossed_places(set, places_of(set, y.contact), u) == face)
-      list.push_back({false, u, u, limit_along(set, y, u)});
+    const bool is_free = crossed_places(set, places_of(set, y.contact), u) == face;
+    if (is_free) list.push_back({false, u, u, limit_along(set, y, u)});
   }
   return list;
 }
@@ -177,14 +178,11 @@ std::vector<UnstableEntry> list_of_edge(const PointSet& set, const StationaryPoi
 std::array<std::size_t, 2> obtuse_edge(const PointSet& set, const Places& polygon) {
   for (const std::size_t a : polygon) {
     for (const std::size_t b : polygon) {
-      const bool is_obtuse =
-          a < b && std::all_of(
-                       polygon.begin(), polygon.end(),
-                       [&](std::size_t q) {
-                         return q == a || q == b ||
-                                dot(minus(set.points[q], set.points[a]), minus(set.points[q], set.points[b])) < 0;
-                       });
-      if (is_obtuse) return {a, b};
+      const auto is_outside = [&](std::size_t q) {  // of the ball with this edge as its diameter, or on its sphere
+        const Point &x = set.points[q], &p = set.points[a], &r = set.points[b];
+        return q != a && q != b && dot(minus(x, p), minus(x, r)) >= 0;
+      };
+      if (a < b && std::none_of(polygon.begin(), polygon.end(), is_outside)) return {a, b};
     }
   }
   throw std::logic_error("a polygon without its centre is obtuse at an edge");
@@ -194,15 +192,12 @@ std::array<std::size_t, 2> obtuse_edge(const PointSet& set, const Places& polygo
 // face is in such a set.
 Places face_of(const PointSet& set, const StationaryPoint& y) {
   const Places contact = places_of(set, y.contact);
-  Places face;
+  std::set<std::size_t> face;
   for_each_subset(contact.size(), 4, [&](const Places& subset) {
     const Places places = select(contact, subset);
-    if (inner_circumcentre(select(set.points, places)) != std::optional(y.center)) return;
-    face.insert(face.end(), places.begin(), places.end());
+    if (inner_circumcentre(select(set.points, places)) == y.center) face.insert(places.begin(), places.end());
   });
-  std::sort(face.begin(), face.end());
-  face.erase(std::unique(face.begin(), face.end()), face.end());
-  return face;
+  return {face.begin(), face.end()};
 }
 
 std::vector<UnstableEntry> lambda_list(const PointSet& set, const StationaryPoint& y) {

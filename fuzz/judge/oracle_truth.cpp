@@ -13,6 +13,7 @@
 
 #include "flowcert/rounded_sphere.h"
 #include "fuzz/judge/hull_volume.h"
+#include "fuzz/judge/root_sum.h"
 #include "fuzz/properties/stable_pieces.h"
 #include "geometry/contract.h"
 #include "geometry/difference_of_roots.h"
@@ -20,7 +21,6 @@
 #include "oracle/orbit.h"
 #include "oracle/persistence.h"
 #include "oracle/pockets.h"
-#include "oracle/roots.h"
 #include "oracle/stable_pieces.h"
 #include "oracle/unstable_set.h"
 
@@ -207,7 +207,7 @@ class OracleTruth final : public Truth {
     for (const Rational& square : squares) sum += geometry::nearest_difference_of_roots(square, 0);
     // The oracle says whether this sum is right, where it is no subnormal number and no infinity.
     const bool is_plain = std::isnormal(sum);
-    if (is_plain && !oracle::is_root_sum(sum, squares)) throw std::logic_error("an area that the oracle denies");
+    if (is_plain && !is_root_sum(sum, squares)) throw std::logic_error("an area that the oracle denies");
     return sum;
   }
   [[nodiscard]] double nearest_volume_of(const std::vector<std::uint32_t>& points) override {

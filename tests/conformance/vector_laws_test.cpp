@@ -16,7 +16,7 @@
 
 #include "oracle/exact_geometry.h"
 #include "oracle/program/read_records.h"
-#include "oracle/roots.h"
+#include "oracle/persistence.h"
 #include "tests/cites.h"
 #include "tests/conformance/vector_files.h"
 

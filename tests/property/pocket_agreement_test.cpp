@@ -18,16 +18,17 @@
 #include "flowcert/pockets.h"
 #include "flowcert/surface_area.h"
 #include "fuzz/inputs/chambers.h"
+#include "fuzz/judge/root_sum.h"
 #include "geometry/difference_of_roots.h"
 #include "oracle/connections.h"
 #include "oracle/merge_tree.h"
+#include "oracle/persistence.h"
 #include "oracle/pockets.h"
-#include "oracle/roots.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
 #include "tests/property/family_run.h"
 #include "tests/property/orbit_subject.h"
-#include "tests/root_differences.h"
+#include "tests/property/root_differences.h"
 
 namespace flowcert::property::pocket_agreement_test {
 namespace {
@@ -204,7 +205,7 @@ bool is_right_area(double area, const std::vector<oracle::Rational>& squares) {
   // All of them together are less than 2^-1060.
   const oracle::Rational tiny = oracle::Rational(0x1p-1060) / count;
   if (area < 0x1p-1060 && greatest < tiny * tiny) return true;
-  return oracle::is_root_sum(area, squares);
+  return judge::is_root_sum(area, squares);
 }
 
 void require_right_areas(const Landscape& land, Totals& totals) {

@@ -16,7 +16,6 @@
 #include "oracle/merge_tree.h"
 #include "oracle/persistence.h"
 #include "oracle/pockets.h"
-#include "oracle/roots.h"
 #include "oracle/voronoi_graph.h"
 #include "tests/cites.h"
 #include "tests/unit/landscape_inputs.h"

@@ -3,15 +3,16 @@
 
 #include <cmath>
 
+#include "fuzz/judge/root_sum.h"
 #include "oracle/pockets.h"
-#include "oracle/roots.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
-#include "tests/root_differences.h"
+#include "tests/property/root_differences.h"
 
 namespace oracle::oracle_roots_test {
 namespace {
 
+using flowcert::judge::is_root_sum;
 using Rows = std::vector<std::array<double, 3>>;
 
 TEST(OracleRoots, DifferencesAreComparedExactly) {

@@ -17,7 +17,7 @@
 #include "geometry/difference_of_roots.h"
 #include "morse/saddle_radii.h"
 #include "tests/cites.h"
-#include "tests/root_differences.h"
+#include "tests/property/root_differences.h"
 
 namespace flowcert::pockets_test {
 namespace {

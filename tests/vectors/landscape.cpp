@@ -6,7 +6,7 @@
 #include "oracle/connections.h"
 #include "oracle/medial_axis.h"
 #include "oracle/orbit.h"
-#include "oracle/roots.h"
+#include "oracle/persistence.h"
 #include "oracle/stable_set.h"
 
 namespace oracle::vectors {

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "oracle/medial_axis.h"
-#include "oracle/roots.h"
+#include "oracle/persistence.h"
 
 namespace oracle::vectors {
 
