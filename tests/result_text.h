@@ -15,21 +15,21 @@
 #include <type_traits>
 #include <utility>
 
+#include "certify/orbit_claim.h"
+#include "certify/orbit_difference.h"
+#include "certify/pair_claim.h"
+#include "certify/pair_differences.h"
 #include "flowcert/check.h"
-#include "flowcert/explain.h"
 #include "flowcert/flow_complex.h"
-#include "flowcert/medial_points.h"
-#include "flowcert/orbit_claim.h"
-#include "flowcert/orbit_difference.h"
-#include "flowcert/pair_claim.h"
-#include "flowcert/pair_differences.h"
-#include "flowcert/pocket_persistence.h"
-#include "flowcert/pocket_surfaces.h"
 #include "flowcert/pockets.h"
 #include "flowcert/read_points.h"
 #include "flowcert/surface.h"
 #include "flowcert/surface_selection.h"
-#include "flowcert/vtk_exports.h"
+#include "io/medial_points.h"
+#include "io/pocket_persistence.h"
+#include "io/pocket_surfaces.h"
+#include "io/vtk_exports.h"
+#include "morse/explain.h"
 
 namespace flowcert {
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "flowcert/viewer_claim.h"
+#include "certify/viewer_claim.h"
 #include "fuzz/campaign/child_process.h"
 #include "fuzz/judge/peer_property.h"
 #include "fuzz/properties/input_points.h"

@@ -12,12 +12,12 @@
 #include <system_error>
 
 #include "certify/finding_words.h"
+#include "certify/pair_differences.h"
 #include "certify/programs/case_dialogue.h"
 #include "certify/programs/command_run.h"
 #include "certify/programs/conformance_words.h"
 #include "certify/programs/verification.h"
 #include "flowcert/claim.h"
-#include "flowcert/pair_differences.h"
 #include "fuzz/properties/input_points.h"
 #include "fuzz/properties/subject.h"
 #include "io/input_bytes.h"

@@ -1,5 +1,5 @@
 // Compares segment by segment, and puts the first difference into words.
-#include "flowcert/orbit_difference.h"
+#include "certify/orbit_difference.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

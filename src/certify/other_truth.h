@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "certify/layer.h"
+#include "certify/pair_differences.h"
 #include "flowcert/check.h"
-#include "flowcert/pair_differences.h"
 
 namespace flowcert::certify {
 

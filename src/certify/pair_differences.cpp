@@ -1,6 +1,6 @@
 // A maximum flow from claimed to true pairs shows which of them find a partner. It is found for each set of pairs that
 // can be each other's partners, through others or not: such sets are small.
-#include "flowcert/pair_differences.h"
+#include "certify/pair_differences.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Spheres prove what is said: the claimed one, with the samples inside, and the true one, which is empty.
-#include "flowcert/viewer_claim.h"
+#include "certify/viewer_claim.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "certify/pair_differences.h"
 #include "cli/check_report.h"
 #include "cli/layer.h"
-#include "flowcert/pair_differences.h"
 
 namespace flowcert::cli {
 

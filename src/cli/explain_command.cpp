@@ -12,10 +12,10 @@
 #include "cli/shortened_numbers.h"
 #include "cli/table.h"
 #include "cli/wrapped_text.h"
-#include "flowcert/explain.h"
 #include "geometry/difference_of_roots.h"
 #include "io/json_fields.h"
 #include "io/number_text.h"
+#include "morse/explain.h"
 
 namespace flowcert::cli {
 

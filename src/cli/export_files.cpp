@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "cli/progress.h"
-#include "flowcert/region_exports.h"
 #include "flowcert/reproducibility.h"
-#include "flowcert/unstable_surface_export.h"
-#include "flowcert/vtk_exports.h"
 #include "io/number_text.h"
 #include "io/output_file.h"
+#include "io/region_exports.h"
+#include "io/unstable_surface_export.h"
+#include "io/vtk_exports.h"
 
 namespace flowcert::cli {
 

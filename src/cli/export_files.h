@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "cli/layer.h"
-#include "flowcert/clip_box.h"
 #include "flowcert/flow_complex.h"
+#include "io/clip_box.h"
 
 namespace flowcert::cli {
 

@@ -16,16 +16,16 @@
 #include "cli/layer.h"
 #include "cli/progress.h"
 #include "cli/table.h"
-#include "flowcert/clip_box.h"
 #include "flowcert/flow_complex.h"
-#include "flowcert/medial_points.h"
 #include "flowcert/reproducibility.h"
-#include "flowcert/unstable_surface_export.h"
-#include "flowcert/vtk_exports.h"
+#include "io/clip_box.h"
 #include "io/json_fields.h"
 #include "io/length_text.h"
+#include "io/medial_points.h"
 #include "io/number_text.h"
 #include "io/output_file.h"
+#include "io/unstable_surface_export.h"
+#include "io/vtk_exports.h"
 
 namespace flowcert::cli {
 

@@ -18,13 +18,13 @@
 #include "cli/pockets_report.h"
 #include "cli/progress.h"
 #include "flowcert/flow_complex.h"
-#include "flowcert/pocket_persistence.h"
-#include "flowcert/pocket_surfaces.h"
-#include "flowcert/region_exports.h"
 #include "flowcert/reproducibility.h"
-#include "flowcert/write_pockets.h"
 #include "io/number_text.h"
 #include "io/output_file.h"
+#include "io/pocket_persistence.h"
+#include "io/pocket_surfaces.h"
+#include "io/region_exports.h"
+#include "io/write_pockets.h"
 
 namespace flowcert::cli {
 

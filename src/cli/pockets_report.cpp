@@ -12,9 +12,9 @@
 #include "cli/automatic_threshold.h"
 #include "cli/fixed_decimals.h"
 #include "cli/table.h"
-#include "flowcert/pocket_persistence.h"
 #include "flowcert/rounded_sphere.h"
 #include "geometry/difference_of_roots.h"
+#include "io/pocket_persistence.h"
 #include "morse/saddle_radii.h"
 
 namespace flowcert::cli {

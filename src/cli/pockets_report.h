@@ -9,7 +9,7 @@
 #include "cli/layer.h"
 #include "flowcert/length_bound.h"
 #include "flowcert/pockets.h"
-#include "flowcert/write_pockets.h"
+#include "io/write_pockets.h"
 
 namespace flowcert::cli {
 

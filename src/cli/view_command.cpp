@@ -11,15 +11,15 @@
 #include <iostream>
 #include <memory>
 
+#include "certify/viewer_claim.h"
 #include "cli/check_report.h"
 #include "cli/command.h"
 #include "cli/progress.h"
 #include "cli/table.h"
 #include "flowcert/check.h"
-#include "flowcert/pocket_persistence.h"
-#include "flowcert/viewer_claim.h"
-#include "flowcert/viewer_page.h"
 #include "io/output_file.h"
+#include "io/pocket_persistence.h"
+#include "io/viewer_page.h"
 
 namespace flowcert::cli {
 

@@ -10,8 +10,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "flowcert/stable_regions.h"
 #include "io/corner_numbers.h"
+#include "morse/stable_regions.h"
 
 namespace flowcert::io {
 

@@ -1,4 +1,4 @@
-#include "flowcert/clip_box.h"
+#include "io/clip_box.h"
 
 #include <algorithm>
 #include <array>

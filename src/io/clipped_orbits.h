@@ -12,8 +12,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "flowcert/clip_box.h"
 #include "flowcert/flow_complex.h"
+#include "io/clip_box.h"
 #include "io/layer.h"
 #include "voronoi/voronoi_faces.h"
 

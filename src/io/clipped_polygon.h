@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "flowcert/clip_box.h"
+#include "io/clip_box.h"
 #include "io/layer.h"
 
 namespace flowcert::io {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "flowcert/flow_complex.h"
-#include "flowcert/stable_regions.h"
 #include "io/layer.h"
+#include "morse/stable_regions.h"
 
 namespace flowcert::io {
 

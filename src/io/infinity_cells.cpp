@@ -10,8 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "flowcert/region_exports.h"
-#include "flowcert/stable_regions.h"
 #include "geometry/floating_point.h"
 #include "geometry/rational_point.h"
 #include "geometry/ring.h"
@@ -19,6 +17,8 @@
 #include "io/corner_numbers.h"
 #include "io/number_text.h"
 #include "io/pyramid_set.h"
+#include "io/region_exports.h"
+#include "morse/stable_regions.h"
 
 namespace flowcert {
 

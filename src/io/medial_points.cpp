@@ -1,4 +1,4 @@
-#include "flowcert/medial_points.h"
+#include "io/medial_points.h"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>

@@ -1,4 +1,4 @@
-#include "flowcert/pocket_persistence.h"
+#include "io/pocket_persistence.h"
 
 #include <numeric>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "flowcert/pocket_surfaces.h"
+#include "io/pocket_surfaces.h"
 
 #include <unordered_map>
 

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "flowcert/vtk_exports.h"
 #include "io/layer.h"
+#include "io/vtk_exports.h"
 
 namespace flowcert::io {
 

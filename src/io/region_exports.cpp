@@ -1,16 +1,16 @@
-#include "flowcert/region_exports.h"
+#include "io/region_exports.h"
 
 #include <algorithm>
 #include <array>
 #include <map>
 #include <utility>
 
-#include "flowcert/stable_regions.h"
 #include "geometry/floating_point.h"
 #include "geometry/rational_point.h"
 #include "io/corner_numbers.h"
 #include "io/number_text.h"
 #include "io/pyramid_set.h"
+#include "morse/stable_regions.h"
 
 namespace flowcert {
 

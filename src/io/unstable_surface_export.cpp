@@ -1,5 +1,5 @@
 // Sets are made by several threads, and spooled in their order.
-#include "flowcert/unstable_surface_export.h"
+#include "io/unstable_surface_export.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // The data of a page, put into the page that src/viewer/ makes.
-#include "flowcert/viewer_page.h"
+#include "io/viewer_page.h"
 
 #include <algorithm>
 #include <bit>

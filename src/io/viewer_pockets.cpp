@@ -8,9 +8,9 @@
 #include <numeric>
 #include <vector>
 
-#include "flowcert/pocket_surfaces.h"
 #include "flowcert/surface.h"
 #include "geometry/difference_of_roots.h"
+#include "io/pocket_surfaces.h"
 #include "io/viewer_blob.h"
 #include "io/viewer_selection.h"
 

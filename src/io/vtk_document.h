@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "flowcert/vtk_exports.h"
 #include "io/byte_writer.h"
+#include "io/vtk_exports.h"
 
 namespace flowcert::io {
 

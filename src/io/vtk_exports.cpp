@@ -1,5 +1,5 @@
 // Values that several cells share are rounded once.
-#include "flowcert/vtk_exports.h"
+#include "io/vtk_exports.h"
 
 #include <algorithm>
 #include <limits>

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "flowcert/rounded_sphere.h"
-#include "flowcert/write_pockets.h"
 #include "geometry/floating_point.h"
 #include "io/json_fields.h"
 #include "io/layer.h"
+#include "io/write_pockets.h"
 
 namespace flowcert {
 

@@ -8,10 +8,10 @@
 #include <string_view>
 
 #include "flowcert/rounded_sphere.h"
-#include "flowcert/write_pockets.h"
 #include "geometry/difference_of_roots.h"
 #include "geometry/floating_point.h"
 #include "io/layer.h"
+#include "io/write_pockets.h"
 
 namespace flowcert {
 

@@ -1,4 +1,4 @@
-#include "flowcert/write_pockets.h"
+#include "io/write_pockets.h"
 
 #include <array>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "flowcert/explain.h"
+#include "morse/explain.h"
 
 #include <algorithm>
 #include <iterator>

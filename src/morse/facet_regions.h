@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "flowcert/stable_regions.h"
 #include "morse/limit_partition.h"
+#include "morse/stable_regions.h"
 
 namespace flowcert::morse {
 

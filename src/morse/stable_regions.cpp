@@ -1,4 +1,4 @@
-#include "flowcert/stable_regions.h"
+#include "morse/stable_regions.h"
 
 #include <algorithm>
 #include <utility>

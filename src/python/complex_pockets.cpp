@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "complex.h"
-#include "flowcert/pocket_persistence.h"
 #include "flowcert/pockets.h"
 #include "flowcert/rounded_sphere.h"
 #include "flowcert/surface_area.h"
+#include "io/pocket_persistence.h"
 #include "numbers.h"
 #include "released_lock.h"
 

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "flowcert/pair_differences.h"
+#include "certify/pair_differences.h"
 #include "flowcert/rational.h"
 #include "flowcert/read_points.h"
 #include "flowcert/write_stationary_points.h"

@@ -4,12 +4,12 @@
 #include <sstream>
 #include <utility>
 
-#include "flowcert/medial_points.h"
 #include "flowcert/pockets.h"
-#include "flowcert/write_pockets.h"
 #include "io/json_fields.h"
+#include "io/medial_points.h"
 #include "io/number_text.h"
 #include "io/piece_fields.h"
+#include "io/write_pockets.h"
 
 namespace flowcert::conformance {
 

@@ -13,8 +13,8 @@
 #include <new>
 #include <string>
 
+#include "certify/pair_claim.h"
 #include "flowcert/claim.h"
-#include "flowcert/pair_claim.h"
 #include "flowcert/read_points.h"
 #include "tests/cites.h"
 

@@ -13,9 +13,9 @@
 #include <variant>
 #include <vector>
 
-#include "flowcert/vtk_exports.h"
 #include "fuzz/inputs/families.h"
 #include "fuzz/properties/stationary_comparison.h"
+#include "io/vtk_exports.h"
 #include "tests/cites.h"
 #include "tests/property/orbit_subject.h"
 #include "tests/property/property_parameters.h"

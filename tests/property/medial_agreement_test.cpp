@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "flowcert/medial_points.h"
 #include "geometry/difference_of_roots.h"
+#include "io/medial_points.h"
 #include "oracle/medial_axis.h"
 #include "tests/cites.h"
 #include "tests/property/family_run.h"

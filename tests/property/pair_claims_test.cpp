@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "flowcert/pair_differences.h"
+#include "certify/pair_differences.h"
 #include "fuzz/inputs/input.h"
 #include "tests/cites.h"
 #include "tests/property/claim_properties.h"

@@ -3,7 +3,7 @@
 // Guarantees: all of it is exact. Regions are convex. In each bounded facet their areas add up to that of the convex
 // hull of all their corners, so they tile it. The pyramids over the regions of one limit add up to the volume of its
 // stable set, which is computed from arcs of Voronoi edges instead. Points inside the pyramids flow to the limit.
-#include "flowcert/stable_regions.h"
+#include "morse/stable_regions.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

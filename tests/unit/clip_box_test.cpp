@@ -1,5 +1,5 @@
 // The box at which lines to infinity end: its sides, also of flat and of huge inputs, and where rays leave it.
-#include "flowcert/clip_box.h"
+#include "io/clip_box.h"
 
 #include <gtest/gtest.h>
 

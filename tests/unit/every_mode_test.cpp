@@ -19,20 +19,20 @@
 #include <string>
 #include <vector>
 
-#include "flowcert/clip_box.h"
+#include "certify/viewer_claim.h"
 #include "flowcert/connections.h"
 #include "flowcert/length_bound.h"
 #include "flowcert/profile.h"
-#include "flowcert/region_exports.h"
 #include "flowcert/reproducibility.h"
-#include "flowcert/stable_regions.h"
 #include "flowcert/surface_area.h"
-#include "flowcert/unstable_surface_export.h"
-#include "flowcert/viewer_claim.h"
-#include "flowcert/viewer_page.h"
 #include "flowcert/write_persistence.h"
-#include "flowcert/write_pockets.h"
 #include "flowcert/write_stationary_points.h"
+#include "io/clip_box.h"
+#include "io/region_exports.h"
+#include "io/unstable_surface_export.h"
+#include "io/viewer_page.h"
+#include "io/write_pockets.h"
+#include "morse/stable_regions.h"
 #include "tests/cites.h"
 #include "tests/result_text.h"
 

@@ -3,7 +3,7 @@
 //
 // Explanations are compared with the list too: just what stationary_points() lists is explained as
 // stationary. Whatever is said to fail does fail, by the definitions, in rationals.
-#include "flowcert/explain.h"
+#include "morse/explain.h"
 
 #include <gtest/gtest.h>
 

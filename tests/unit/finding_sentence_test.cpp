@@ -7,8 +7,8 @@
 #include <set>
 #include <string>
 
+#include "certify/pair_differences.h"
 #include "cli/glossary.h"
-#include "flowcert/pair_differences.h"
 #include "tests/cites.h"
 #include "tests/unit/hand_made_claims.h"
 

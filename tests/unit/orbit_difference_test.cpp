@@ -1,7 +1,7 @@
 // Claimed orbits: how they are read, and where they differ from the right one (spec/formats/orbit.md).
 //
 // One thing is changed at a time, in the text of an orbit made by hand.
-#include "flowcert/orbit_difference.h"
+#include "certify/orbit_difference.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <optional>
 #include <vector>
 
+#include "certify/orbit_claim.h"
 #include "flowcert/check.h"
-#include "flowcert/orbit_claim.h"
 #include "geometry/rational_point.h"
 #include "tests/cites.h"
 

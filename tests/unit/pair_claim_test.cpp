@@ -1,5 +1,5 @@
 // Claims of persistence pairs, as they are read from JSON and from text, and the order of pairs.
-#include "flowcert/pair_claim.h"
+#include "certify/pair_claim.h"
 
 #include <gtest/gtest.h>
 

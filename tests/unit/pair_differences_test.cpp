@@ -1,6 +1,6 @@
 // pair_differences() on pairs made by hand: exact values, decimals within the tolerance and beyond it, pairs that are
 // as good as none, and near values that must not take each other's place.
-#include "flowcert/pair_differences.h"
+#include "certify/pair_differences.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "flowcert/flow_complex.h"
-#include "flowcert/write_pockets.h"
+#include "io/write_pockets.h"
 #include "tests/cites.h"
 #include "tests/unit/hand_made_claims.h"
 

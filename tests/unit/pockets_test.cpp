@@ -10,11 +10,11 @@
 #include <random>
 #include <sstream>
 
-#include "flowcert/pocket_persistence.h"
-#include "flowcert/pocket_surfaces.h"
 #include "flowcert/surface_area.h"
-#include "flowcert/write_pockets.h"
 #include "geometry/difference_of_roots.h"
+#include "io/pocket_persistence.h"
+#include "io/pocket_surfaces.h"
+#include "io/write_pockets.h"
 #include "morse/saddle_radii.h"
 #include "tests/cites.h"
 #include "tests/property/root_differences.h"

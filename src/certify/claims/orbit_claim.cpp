@@ -1,5 +1,5 @@
 // Reads orbits from JSON objects.
-#include "flowcert/orbit_claim.h"
+#include "certify/orbit_claim.h"
 
 #include <fmt/format.h>
 

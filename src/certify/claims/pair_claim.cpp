@@ -1,5 +1,5 @@
 // Reads persistence pairs from JSON and from text.
-#include "flowcert/pair_claim.h"
+#include "certify/pair_claim.h"
 
 #include <fmt/format.h>
 

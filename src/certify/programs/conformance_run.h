@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
+#include "certify/orbit_difference.h"
 #include "certify/other_truth.h"
+#include "certify/pair_differences.h"
 #include "certify/programs/limited_program.h"
 #include "certify/programs/vector_cases.h"
 #include "flowcert/check.h"
-#include "flowcert/orbit_difference.h"
-#include "flowcert/pair_differences.h"
 #include "flowcert/profile.h"
 
 namespace flowcert::certify {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "certify/layer.h"
-#include "flowcert/orbit_claim.h"
-#include "flowcert/pair_claim.h"
+#include "certify/orbit_claim.h"
+#include "certify/pair_claim.h"
 #include "flowcert/point_set.h"
 #include "flowcert/stationary_points.h"
 #include "io/json_fields.h"

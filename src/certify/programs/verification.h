@@ -21,10 +21,10 @@
 
 #include "certify/layer.h"
 #include "certify/other_truth.h"
+#include "certify/pair_differences.h"
 #include "certify/programs/asked_cases.h"
 #include "flowcert/check.h"
 #include "flowcert/claim.h"
-#include "flowcert/pair_differences.h"
 #include "flowcert/profile.h"
 #include "io/line_reader.h"
 

@@ -10,7 +10,7 @@
 
 #include "flowcert/check.h"
 #include "flowcert/flow_complex.h"
-#include "flowcert/viewer_page.h"
+#include "io/viewer_page.h"
 
 namespace flowcert {
 

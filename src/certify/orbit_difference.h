@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "flowcert/orbit_claim.h"
+#include "certify/orbit_claim.h"
 #include "flowcert/point_set.h"
 
 namespace flowcert {

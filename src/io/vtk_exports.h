@@ -14,9 +14,9 @@
 #include <variant>
 #include <vector>
 
-#include "flowcert/clip_box.h"
 #include "flowcert/progress.h"
 #include "flowcert/surface.h"
+#include "io/clip_box.h"
 
 namespace flowcert {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "flowcert/pair_claim.h"
+#include "certify/pair_claim.h"
 
 namespace flowcert {
 

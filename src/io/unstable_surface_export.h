@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "flowcert/flow_complex.h"
-#include "flowcert/vtk_exports.h"
+#include "io/vtk_exports.h"
 
 namespace flowcert {
 

@@ -7,10 +7,10 @@
 
 #include <optional>
 
-#include "flowcert/clip_box.h"
 #include "flowcert/flow_complex.h"
 #include "flowcert/pockets.h"
-#include "flowcert/vtk_exports.h"
+#include "io/clip_box.h"
+#include "io/vtk_exports.h"
 
 namespace flowcert {
 
