@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "certify/boundaries.h"
-#include "flowcert/check.h"
+#include "certify/truth.h"
 
 namespace flowcert {
 

@@ -43,31 +43,21 @@ std::vector<PointId> names_of(const auto& names) {
   return result;
 }
 
-// Such a direction belongs to the arc (FC-CONN-01).
-bool is_beside_arc_of_its_limit(const std::vector<FlowLimits::Entry>& entries, std::size_t k, bool is_cycle) {
-  const auto is_such_arc = [&](std::size_t i) { return entries[i].is_arc && entries[i].limit == entries[k].limit; };
-  const std::size_t last = entries.size() - 1;
-  return ((k > 0 || is_cycle) && is_such_arc(k > 0 ? k - 1 : last)) ||
-         ((k < last || is_cycle) && is_such_arc(k < last ? k + 1 : 0));
-}
-
-class OracleTruth final : public Truth {
+class OracleTruth : public Truth {
  public:
   OracleTruth(const std::vector<std::array<double, 3>>& rows, oracle::Answer answer)
       : set_(rows), answer_(std::move(answer)) {
     for (const oracle::StationaryPoint& point : answer_.stationary) {
       record_at_[point.center] = contacts_.size();
-      auto& contact = contacts_.emplace_back();
-      for (const std::size_t name : point.contact) contact.push_back(static_cast<PointId>(name));
+      contacts_.push_back(names_of(point.contact));
+    }
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      const oracle::StationaryPoint& point = answer_.stationary[i];
+      add({static_cast<std::uint8_t>(point.face_dimension), static_cast<std::uint8_t>(point.hull_dimension)},
+          contacts_[i]);
     }
   }
 
-  [[nodiscard]] std::size_t size() const override { return contacts_.size(); }
-  [[nodiscard]] StationaryIndex index(std::size_t i) const override {
-    const oracle::StationaryPoint& point = answer_.stationary[i];
-    return {static_cast<std::uint8_t>(point.face_dimension), static_cast<std::uint8_t>(point.hull_dimension)};
-  }
-  [[nodiscard]] std::span<const PointId> contact(std::size_t i) const override { return contacts_[i]; }
   [[nodiscard]] ExactSphere sphere(std::size_t i) override {
     return {answer_.stationary[i].center, answer_.stationary[i].squared_distance};
   }
@@ -110,9 +100,8 @@ class OracleTruth final : public Truth {
     const oracle::StableSet& set = stable(i);
     return {oracle::segments_without_intervals(answer_.stationary[i], set), set.has_vertex, !set.intervals.empty()};
   }
-  [[nodiscard]] StableSet<> stable_set(std::size_t i) override { return property::to_fast(set_, stable(i)); }
-  [[nodiscard]] StableSet<> set_of_infinity() override {
-    return property::to_fast(set_, oracle::stable_set_of_infinity(set_));
+  [[nodiscard]] StableSet<> stable_set(std::optional<std::size_t> i) override {
+    return property::to_fast(set_, i ? stable(*i) : oracle::stable_set_of_infinity(set_));
   }
 
   [[nodiscard]] LambdaList lambda_list(std::size_t i) override {
@@ -136,43 +125,15 @@ class OracleTruth final : public Truth {
     }
     return entries;
   }
-  [[nodiscard]] std::vector<Connection> connections(std::size_t i) override {
-    std::map<std::uint32_t, Connection> by_limit;
-    const std::vector<FlowLimits::Entry> entries = lambda_entries(i);
-    for (std::size_t k = 0; k < entries.size(); ++k) {
-      const FlowLimits::Entry& entry = entries[k];
-      if (!entry.is_arc && is_beside_arc_of_its_limit(entries, k, index(i) == StationaryIndex{1, 1})) continue;
-      Connection& one =
-          by_limit.try_emplace(entry.limit, Connection{static_cast<std::uint32_t>(i), entry.limit}).first->second;
-      ++(entry.is_arc ? one.families : one.orbits);
-    }
-    std::vector<Connection> all;
-    all.reserve(by_limit.size());
-    for (const auto& [limit, one] : by_limit) all.push_back(one);
-    return all;
-  }
-  // By the second sentence of FC-CONN-03.
-  [[nodiscard]] bool is_morse_smale() override {
-    for (std::size_t i = 0; i < size(); ++i) {
-      const StationaryIndex from = index(i);
-      if (!from.is_critical()) return false;
-      if (from.face_dimension != 1 && from.face_dimension != 2) continue;
-      for (const FlowLimits::Entry& entry : lambda_entries(i)) {
-        const bool is_at_top =
-            entry.limit == FlowLimits::Entry::kInfinity || index(entry.limit) == StationaryIndex{3, 3};
-        const bool is_right = entry.is_arc || from.face_dimension == 2
-                                  ? is_at_top
-                                  : !is_at_top && index(entry.limit) == StationaryIndex{2, 2};
-        if (!is_right) return false;
-      }
-    }
-    return true;
-  }
 
   [[nodiscard]] Rational volume(std::size_t i) override {
     return has_volume(i) ? oracle::volume(set_, stable(i)) : Rational(0);
   }
-  [[nodiscard]] double nearest_volume(std::size_t i) override { return nearest_or_infinity(volume(i)); }
+  [[nodiscard]] double nearest_sum(std::span<const std::uint32_t> records) override {
+    Rational sum = 0;
+    for (const std::uint32_t record : records) sum += volume(record);
+    return nearest_or_infinity(sum);
+  }
   [[nodiscard]] std::vector<std::pair<PointId, Rational>> shares(std::size_t i) override {
     std::vector<std::pair<PointId, Rational>> shares;
     if (!has_volume(i)) return shares;
@@ -209,11 +170,6 @@ class OracleTruth final : public Truth {
     const bool is_plain = std::isnormal(sum);
     if (is_plain && !is_root_sum(sum, squares)) throw std::logic_error("an area that the oracle denies");
     return sum;
-  }
-  [[nodiscard]] double nearest_volume_of(const std::vector<std::uint32_t>& points) override {
-    Rational sum = 0;
-    for (const std::uint32_t record : points) sum += volume(record);
-    return nearest_or_infinity(sum);
   }
 
  private:
@@ -370,58 +326,25 @@ oracle::Answer answer_of(const VectorCase& one) {
   return answer;
 }
 
-class VectorTruth final : public Truth {
+class VectorTruth final : public OracleTruth {
  public:
-  explicit VectorTruth(const VectorCase& one) : case_(one), oracle_(oracle_truth(one.rows, answer_of(one))) {}
-
-  [[nodiscard]] std::size_t size() const override { return oracle_->size(); }
-  [[nodiscard]] StationaryIndex index(std::size_t i) const override { return oracle_->index(i); }
-  [[nodiscard]] std::span<const PointId> contact(std::size_t i) const override { return oracle_->contact(i); }
-  [[nodiscard]] ExactSphere sphere(std::size_t i) override { return oracle_->sphere(i); }
+  explicit VectorTruth(const VectorCase& one) : OracleTruth(triples(one.rows), answer_of(one)), case_(one) {}
 
   [[nodiscard]] std::array<std::optional<std::size_t>, 2> limits(std::size_t i) override {
-    return case_.limits[i] ? *case_.limits[i] : oracle_->limits(i);
+    return case_.limits[i] ? *case_.limits[i] : OracleTruth::limits(i);
   }
-  [[nodiscard]] std::vector<TrueSegment> polyline(std::size_t i, std::size_t side) override {
-    return oracle_->polyline(i, side);
-  }
-  [[nodiscard]] TruePath orbit(const RationalPoint& start) override { return oracle_->orbit(start); }
   [[nodiscard]] std::optional<std::vector<std::uint32_t>> boundary(std::size_t i) override {
-    if (!case_.stable[i]) return oracle_->boundary(i);
+    if (!case_.stable[i]) return OracleTruth::boundary(i);
     if (!case_.stable[i]->boundary) return std::nullopt;
     return std::vector<std::uint32_t>(case_.stable[i]->boundary->begin(), case_.stable[i]->boundary->end());
   }
   [[nodiscard]] StableSummary stable_summary(std::size_t i) override {
-    if (!case_.stable[i]) return oracle_->stable_summary(i);
+    if (!case_.stable[i]) return OracleTruth::stable_summary(i);
     return {case_.stable[i]->segments, case_.stable[i]->has_vertex, case_.stable[i]->has_interval};
-  }
-  [[nodiscard]] StableSet<> stable_set(std::size_t i) override { return oracle_->stable_set(i); }
-  [[nodiscard]] StableSet<> set_of_infinity() override { return oracle_->set_of_infinity(); }
-  [[nodiscard]] LambdaList lambda_list(std::size_t i) override { return oracle_->lambda_list(i); }
-  [[nodiscard]] std::vector<FlowLimits::Entry> lambda_entries(std::size_t i) override {
-    return oracle_->lambda_entries(i);
-  }
-  [[nodiscard]] std::vector<Connection> connections(std::size_t i) override { return oracle_->connections(i); }
-  [[nodiscard]] bool is_morse_smale() override { return oracle_->is_morse_smale(); }
-  [[nodiscard]] Rational volume(std::size_t i) override { return oracle_->volume(i); }
-  [[nodiscard]] double nearest_volume(std::size_t i) override { return oracle_->nearest_volume(i); }
-  [[nodiscard]] std::vector<std::pair<PointId, Rational>> shares(std::size_t i) override { return oracle_->shares(i); }
-  [[nodiscard]] std::vector<std::pair<PointId, double>> nearest_shares(std::size_t i) override {
-    return oracle_->nearest_shares(i);
-  }
-  [[nodiscard]] Rational hull_volume() override { return oracle_->hull_volume(); }
-  [[nodiscard]] UnstableSurface<> unstable_surface(std::size_t i) override { return oracle_->unstable_surface(i); }
-  [[nodiscard]] TruePockets pockets(const Rational& squared_persistence) override {
-    return oracle_->pockets(squared_persistence);
-  }
-  [[nodiscard]] double area(std::size_t i) override { return oracle_->area(i); }
-  [[nodiscard]] double nearest_volume_of(const std::vector<std::uint32_t>& points) override {
-    return oracle_->nearest_volume_of(points);
   }
 
  private:
   const VectorCase& case_;
-  std::unique_ptr<Truth> oracle_;
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include "certify/other_truth.h"
 #include "certify/programs/vector_cases.h"
-#include "flowcert/check.h"
+#include "certify/truth.h"
 #include "fuzz/judge/layer.h"
 #include "oracle/stationary_points.h"
 

@@ -1,6 +1,4 @@
 // The order of the levels, and the verdict.
-#include "flowcert/check.h"
-
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -11,6 +9,8 @@
 #include "certify/finding_sentence.h"
 #include "certify/finding_words.h"
 #include "certify/layer.h"
+#include "certify/truth.h"
+#include "flowcert/flow_complex.h"
 #include "geometry/floating_point.h"
 
 namespace flowcert {
@@ -221,8 +221,11 @@ CheckReport check(const PointSet& points, const Claim& claim, Truth& truth, cons
 
 CheckReport check(const PointSet& points, const Claim& claim, const CheckOptions& options) {
   const geometry::IeeeDoubles ieee;
-  const std::unique_ptr<Truth> truth = fast_truth(points);
-  return check(points, claim, *truth, options);
+  return check(points, claim, *fast_truth(points), options);
+}
+CheckReport check(const FlowComplex& complex, const Claim& claim, const CheckOptions& options) {
+  const geometry::IeeeDoubles ieee;
+  return check(complex.points(), claim, *fast_truth(complex), options);
 }
 
 const char* verdict_text(Verdict verdict) {

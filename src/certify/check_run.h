@@ -16,7 +16,7 @@
 
 #include "certify/claimed_geometry.h"
 #include "certify/layer.h"
-#include "flowcert/check.h"
+#include "certify/truth.h"
 
 namespace flowcert::certify {
 

@@ -1,9 +1,9 @@
-// The truth by the fast implementation (flowcert/check.h).
+// The truth by the fast implementation.
 #include <algorithm>
 #include <optional>
 
 #include "certify/layer.h"
-#include "flowcert/check.h"
+#include "certify/truth.h"
 #include "flowcert/flow_complex.h"
 #include "flowcert/surface_area.h"
 #include "morse/record_finder.h"
@@ -16,17 +16,12 @@ namespace {
 
 class FastTruth final : public Truth {
  public:
-  FastTruth(const PointSet& points, unsigned threads)
-      : own_(std::in_place, points, FlowComplexOptions{.flow = {}, .threads = threads}),
-        complex_(*own_),
-        finder_(complex_.stationary()) {}
-  explicit FastTruth(const FlowComplex& complex) : complex_(complex), finder_(complex_.stationary()) {}
-
-  [[nodiscard]] std::size_t size() const override { return complex_.stationary().size(); }
-  [[nodiscard]] StationaryIndex index(std::size_t i) const override { return complex_.stationary().index(i); }
-  [[nodiscard]] std::span<const PointId> contact(std::size_t i) const override {
-    return complex_.stationary().contact(i);
+  explicit FastTruth(const FlowComplex& complex) : complex_(complex), finder_(complex_.stationary()) {
+    const StationaryPoints& points = complex_.stationary();
+    for (std::size_t i = 0; i < points.size(); ++i) add(points.index(i), points.contact(i));
   }
+  explicit FastTruth(std::unique_ptr<FlowComplex> complex) : FastTruth(*complex) { own_ = std::move(complex); }
+
   [[nodiscard]] ExactSphere sphere(std::size_t i) override { return complex_.sphere(i); }
 
   [[nodiscard]] std::array<std::optional<std::size_t>, 2> limits(std::size_t i) override {
@@ -54,24 +49,19 @@ class FastTruth final : public Truth {
     const std::size_t k = number_of(i);
     return {complex_.stable().segment_count(k), complex_.stable().has_vertex(k), complex_.stable().has_interval(k)};
   }
-  [[nodiscard]] StableSet<> stable_set(std::size_t i) override { return complex_.stable().set_of_record(i); }
-  [[nodiscard]] StableSet<> set_of_infinity() override { return complex_.stable().set_of_infinity(); }
+  [[nodiscard]] StableSet<> stable_set(std::optional<std::size_t> i) override {
+    return i ? complex_.stable().set_of_record(*i) : complex_.stable().set_of_infinity();
+  }
 
   [[nodiscard]] LambdaList lambda_list(std::size_t i) override { return complex_.limits().list(number_of_list(i)); }
   [[nodiscard]] std::vector<FlowLimits::Entry> lambda_entries(std::size_t i) override {
     return complex_.limits().entries(number_of_list(i));
   }
-  [[nodiscard]] std::vector<Connection> connections(std::size_t i) override {
-    if (!connections_) connections_ = flowcert::connections(complex_.limits());
-    const auto first = std::ranges::lower_bound(*connections_, i, {}, &Connection::from);
-    return {first, std::ranges::upper_bound(*connections_, i, {}, &Connection::from)};
-  }
-  [[nodiscard]] bool is_morse_smale() override {
-    return flowcert::is_morse_smale(complex_.stationary(), complex_.limits(), complex_.stable());
-  }
 
   [[nodiscard]] Rational volume(std::size_t i) override { return complex_.volumes().exact(i); }
-  [[nodiscard]] double nearest_volume(std::size_t i) override { return complex_.volumes().nearest(i); }
+  [[nodiscard]] double nearest_sum(std::span<const std::uint32_t> records) override {
+    return complex_.volumes().nearest_sum(records);
+  }
   [[nodiscard]] std::vector<std::pair<PointId, Rational>> shares(std::size_t i) override {
     return complex_.volumes().shares(i);
   }
@@ -96,9 +86,6 @@ class FastTruth final : public Truth {
   }
   [[nodiscard]] double area(std::size_t i) override {
     return surface_area(complex_.points(), complex_.stable(), number_of(i));
-  }
-  [[nodiscard]] double nearest_volume_of(const std::vector<std::uint32_t>& points) override {
-    return complex_.volumes().nearest_sum(points);
   }
 
  private:
@@ -127,18 +114,18 @@ class FastTruth final : public Truth {
   }
   [[nodiscard]] std::size_t number_of_list(std::size_t i) { return number_in(complex_.limits(), list_records_, i); }
 
-  std::optional<FlowComplex> own_;
+  std::unique_ptr<FlowComplex> own_;
   const FlowComplex& complex_;
   RecordFinder finder_;
-  // All are made when they are first asked for.
+  // Both are made when they are first asked for.
   std::vector<std::size_t> list_records_, set_records_;
-  std::optional<std::vector<Connection>> connections_;
 };
 
 }  // namespace
 
 std::unique_ptr<Truth> fast_truth(const PointSet& points, unsigned threads) {
-  return std::make_unique<FastTruth>(points, threads);
+  return std::make_unique<FastTruth>(
+      std::make_unique<FlowComplex>(points, FlowComplexOptions{.flow = {}, .threads = threads}));
 }
 std::unique_ptr<Truth> fast_truth(const FlowComplex& complex) { return std::make_unique<FastTruth>(complex); }
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "certify/layer.h"
-#include "flowcert/check.h"
+#include "certify/truth.h"
 
 namespace flowcert::certify {
 

@@ -17,7 +17,7 @@ namespace {
 class InfinityPieces {
  public:
   explicit InfinityPieces(CheckRun& run)
-      : run_(run), claimed_(*run.claim.infinity), truth_(run.truth.set_of_infinity()) {}
+      : run_(run), claimed_(*run.claim.infinity), truth_(run.truth.stable_set(std::nullopt)) {}
 
   void check() {
     for (const bool are_unbounded : {false, true}) {

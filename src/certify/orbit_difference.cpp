@@ -8,7 +8,7 @@
 
 #include "certify/finding_words.h"
 #include "certify/leaving_segment.h"
-#include "flowcert/check.h"
+#include "certify/truth.h"
 #include "geometry/floating_point.h"
 #include "geometry/nearest_samples.h"
 

@@ -5,11 +5,10 @@
 #include <string>
 
 #include "certify/orbit_claim.h"
+#include "certify/truth.h"
 #include "flowcert/point_set.h"
 
 namespace flowcert {
-
-class Truth;
 
 // The first place where a claimed orbit differs.
 struct PathDifference {

@@ -9,7 +9,7 @@
 
 #include "certify/layer.h"
 #include "certify/pair_differences.h"
-#include "flowcert/check.h"
+#include "certify/truth.h"
 
 namespace flowcert::certify {
 

@@ -19,7 +19,7 @@
 #include "certify/finding_words.h"
 #include "certify/layer.h"
 #include "certify/matching.h"
-#include "flowcert/check.h"
+#include "certify/truth.h"
 #include "geometry/rational_point.h"
 
 namespace flowcert::certify {

@@ -268,7 +268,7 @@ class ClaimedLandscape {
 
   void check_volume(std::size_t k, const Pocket& truth) {
     const ClaimedDouble& claimed = *claimed_.pockets[k].volume;
-    const double nearest = run_.truth.nearest_volume_of(truth.cell);
+    const double nearest = run_.truth.nearest_sum(truth.cell);
     const bool is_exact = claimed.number && claimed.number->is_exact;
     run_.note_exactness(is_exact);
     if (!claimed.number && std::isinf(nearest)) return;

@@ -225,8 +225,7 @@ ViewerClaim judged_text(const FlowComplex& complex, const ClaimText& text, const
   try {
     const Claim claim = read_claim_from(text.bytes, text.name);
     require_rows(claim, complex.points(), text.name);
-    const std::unique_ptr<Truth> truth = fast_truth(complex);
-    return viewer_claim(complex, claim, check(complex.points(), claim, *truth, options), shown);
+    return viewer_claim(complex, claim, check(complex, claim, options), shown);
   } catch (const InvalidInput& error) {
     ViewerClaim unreadable = viewer_claim(complex, Claim{}, CheckReport{}, shown);
     unreadable.verdict = std::string("cannot be read: ") + error.what();

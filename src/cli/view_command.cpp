@@ -54,8 +54,7 @@ struct JudgedClaim {
 };
 
 JudgedClaim judged_claim(const ViewCommandOptions& options, const Claim& claim, const FlowComplex& complex) {
-  const std::unique_ptr<Truth> truth = fast_truth(complex);
-  const CheckReport report = check(complex.points(), claim, *truth, options.check);
+  const CheckReport report = check(complex, claim, options.check);
   return {
       viewer_claim(complex, claim, report, {.name = display_name(options.claim), .tolerance = options.check.tolerance}),
       report.verdict};

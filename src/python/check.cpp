@@ -79,7 +79,7 @@ py::dict check_claim(const Complex& complex, const std::string& claim, bool is_p
     const Claim read = is_path ? read_claim(claim, unlimited) : read_claim_from(claim, name, unlimited);
     const FlowComplex& flow_complex = complex.flow_complex();
     require_rows(read, flow_complex.points(), name);
-    report = check(flow_complex.points(), read, *fast_truth(flow_complex), options);
+    report = check(flow_complex, read, options);
   }
   return report_of(report, tolerance);
 }

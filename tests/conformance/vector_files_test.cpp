@@ -13,7 +13,7 @@
 #include <regex>
 #include <set>
 
-#include "flowcert/check.h"
+#include "certify/truth.h"
 #include "flowcert/rational.h"
 #include "flowcert/read_points.h"
 #include "oracle/program/read_records.h"

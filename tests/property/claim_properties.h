@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "flowcert/check.h"
+#include "certify/truth.h"
 #include "flowcert/flow_complex.h"
 #include "fuzz/inputs/families.h"
 #include "fuzz/properties/stationary_comparison.h"

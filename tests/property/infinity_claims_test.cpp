@@ -30,7 +30,7 @@ Claim claim_of(const ClaimSubject& subject) {
   Claim claim;
   claim.format = "exchange";
   claim.indices = ClaimedIndices{};
-  claim.infinity = infinity_of(subject.truth->set_of_infinity());
+  claim.infinity = infinity_of(subject.truth->stable_set(std::nullopt));
   claim.infinity->line = kFirstLine;
   return claim;
 }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "certify/programs/vector_cases.h"
-#include "flowcert/check.h"
+#include "certify/truth.h"
 
 namespace flowcert {
 

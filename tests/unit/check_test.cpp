@@ -1,6 +1,4 @@
 // check() on claims made by hand: every kind of finding, by what it says, and every permitted variation.
-#include "flowcert/check.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "certify/truth.h"
 #include "tests/cites.h"
 #include "tests/unit/hand_made_claims.h"
 

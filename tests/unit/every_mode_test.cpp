@@ -547,6 +547,7 @@ void add_judgement(Calls& calls, const Made& m) {
       [&](const std::unique_ptr<Truth>& truth) { return result_text(check(m.points, m.claim, *truth)); });
   calls.add("check", [&] { return check(m.points, m.claim, *m.truth); });
   calls.add("check", [&] { return check(m.points, m.claim); });
+  calls.add("check", [&] { return check(m.complex, m.claim); });
   Truth& truth = *m.truth;
   const std::size_t upper = m.upper, saddle = m.complex.unstable().saddle(0);
   calls.add("Truth::sphere", [&, upper] { return truth.sphere(upper); });
@@ -556,7 +557,7 @@ void add_judgement(Calls& calls, const Made& m) {
   calls.add("Truth::boundary", [&, saddle] { return truth.boundary(saddle); });
   calls.add("Truth::stable_summary", [&, saddle] { return truth.stable_summary(saddle).segments; });
   calls.add("Truth::stable_set", [&, saddle] { return truth.stable_set(saddle); });
-  calls.add("Truth::set_of_infinity", [&] { return truth.set_of_infinity(); });
+  calls.add("Truth::stable_set", [&] { return truth.stable_set(std::nullopt); });
   calls.add("Truth::lambda_list", [&, list = m.complex.limits().record(0)] { return truth.lambda_list(list); });
   calls.add("Truth::lambda_entries", [&, list = m.complex.limits().record(0)] { return truth.lambda_entries(list); });
   calls.add("Truth::connections", [&] { return truth.connections(m.saddle); });
@@ -572,8 +573,8 @@ void add_judgement(Calls& calls, const Made& m) {
   }
   calls.add("Truth::pockets", [&] { return truth.pockets(Rational(1) / 7).pockets; });
   calls.add("Truth::area", [&, saddle] { return truth.area(saddle); });
-  calls.add("Truth::nearest_volume_of",
-            [&, upper] { return truth.nearest_volume_of({0, static_cast<std::uint32_t>(upper)}); });
+  calls.add("Truth::nearest_sum",
+            [&, some = std::array{0U, static_cast<std::uint32_t>(upper)}] { return truth.nearest_sum(some); });
   Profile approximate;
   approximate.set(ProfilePart::kPoints, Profile::State::kCovered);
   approximate.set_exact(false);

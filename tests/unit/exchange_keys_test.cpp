@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "flowcert/check.h"
+#include "certify/truth.h"
 #include "tests/cites.h"
 #include "tests/unit/claim_file_samples.h"
 

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "flowcert/check.h"
+#include "certify/truth.h"
 #include "tests/true_claims.h"
 
 namespace flowcert {

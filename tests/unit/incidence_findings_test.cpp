@@ -351,10 +351,9 @@ TEST(BoundaryFindings, ThroughWhatAPerturbationMakesCritical) {
 // A truth that breaks no ties.
 class Undecided final : public Truth {
  public:
-  explicit Undecided(Truth& truth) : truth_(truth) {}
-  [[nodiscard]] std::size_t size() const override { return truth_.size(); }
-  [[nodiscard]] StationaryIndex index(std::size_t i) const override { return truth_.index(i); }
-  [[nodiscard]] std::span<const PointId> contact(std::size_t i) const override { return truth_.contact(i); }
+  explicit Undecided(Truth& truth) : truth_(truth) {
+    for (std::size_t i = 0; i < truth.size(); ++i) add(truth.index(i), truth.contact(i));
+  }
   [[nodiscard]] ExactSphere sphere(std::size_t i) override { return truth_.sphere(i); }
   [[nodiscard]] std::array<std::optional<std::size_t>, 2> limits(std::size_t i) override { return truth_.limits(i); }
   [[nodiscard]] std::vector<TrueSegment> polyline(std::size_t i, std::size_t side) override {
@@ -366,16 +365,15 @@ class Undecided final : public Truth {
     return truth_.boundary(i);
   }
   [[nodiscard]] StableSummary stable_summary(std::size_t i) override { return truth_.stable_summary(i); }
-  [[nodiscard]] StableSet<> stable_set(std::size_t i) override { return truth_.stable_set(i); }
-  [[nodiscard]] StableSet<> set_of_infinity() override { return truth_.set_of_infinity(); }
+  [[nodiscard]] StableSet<> stable_set(std::optional<std::size_t> i) override { return truth_.stable_set(i); }
   [[nodiscard]] LambdaList lambda_list(std::size_t i) override { return truth_.lambda_list(i); }
   [[nodiscard]] std::vector<FlowLimits::Entry> lambda_entries(std::size_t i) override {
     return truth_.lambda_entries(i);
   }
-  [[nodiscard]] std::vector<Connection> connections(std::size_t i) override { return truth_.connections(i); }
-  [[nodiscard]] bool is_morse_smale() override { return truth_.is_morse_smale(); }
   [[nodiscard]] Rational volume(std::size_t i) override { return truth_.volume(i); }
-  [[nodiscard]] double nearest_volume(std::size_t i) override { return truth_.nearest_volume(i); }
+  [[nodiscard]] double nearest_sum(std::span<const std::uint32_t> records) override {
+    return truth_.nearest_sum(records);
+  }
   [[nodiscard]] std::vector<std::pair<PointId, Rational>> shares(std::size_t i) override { return truth_.shares(i); }
   [[nodiscard]] std::vector<std::pair<PointId, double>> nearest_shares(std::size_t i) override {
     return truth_.nearest_shares(i);
@@ -384,9 +382,6 @@ class Undecided final : public Truth {
   [[nodiscard]] UnstableSurface<> unstable_surface(std::size_t i) override { return truth_.unstable_surface(i); }
   [[nodiscard]] TruePockets pockets(const Rational& persistence) override { return truth_.pockets(persistence); }
   [[nodiscard]] double area(std::size_t i) override { return truth_.area(i); }
-  [[nodiscard]] double nearest_volume_of(const std::vector<std::uint32_t>& points) override {
-    return truth_.nearest_volume_of(points);
-  }
 
  private:
   Truth& truth_;

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "certify/orbit_claim.h"
-#include "flowcert/check.h"
+#include "certify/truth.h"
 #include "geometry/rational_point.h"
 #include "tests/cites.h"
 

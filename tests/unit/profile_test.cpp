@@ -30,7 +30,7 @@ Claimed all_of(const Truly& truly) {
   Claimed claimed = truly.whole_claim();
   add_directions_and_volumes(claimed.claim, *truly.truth);
   add_unstable_sets(claimed.claim, *truly.truth);
-  claimed.claim.infinity = infinity_of(truly.truth->set_of_infinity());
+  claimed.claim.infinity = infinity_of(truly.truth->stable_set(std::nullopt));
   return claimed;
 }
 

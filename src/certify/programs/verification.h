@@ -23,7 +23,7 @@
 #include "certify/other_truth.h"
 #include "certify/pair_differences.h"
 #include "certify/programs/asked_cases.h"
-#include "flowcert/check.h"
+#include "certify/truth.h"
 #include "flowcert/claim.h"
 #include "flowcert/profile.h"
 #include "io/line_reader.h"

@@ -9,24 +9,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <map>
-#include <memory>
 #include <optional>
-#include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "flowcert/claim.h"
-#include "flowcert/connections.h"
-#include "flowcert/flow_limits.h"
-#include "flowcert/pockets.h"
 #include "flowcert/point_set.h"
 #include "flowcert/profile.h"
-#include "flowcert/rational.h"
-#include "flowcert/stable_manifolds.h"
-#include "flowcert/stationary_points.h"
-#include "flowcert/unstable_surfaces.h"
 
 namespace flowcert {
 
@@ -131,100 +120,11 @@ struct CheckReport {
   Profile profile;  // what the claim covers (FC-CLAIM-22), whatever the verdict
 };
 
-struct TrueSegment {
-  std::string type;  // "E-F-V"
-  RationalPoint driver;
-  std::optional<RationalPoint> end;  // none: infinity
-};
-
-// An orbit, or what is left of it.
-struct TruePath {
-  std::vector<TrueSegment> segments;
-  std::optional<std::size_t> limit;  // a stationary point; none: infinity
-};
-
-// What StableManifolds counts of one stable set.
-struct StableSummary {
-  std::size_t segments = 0;
-  bool has_vertex = false;
-  bool has_interval = false;
-};
-
-// All pockets at one persistence (FC-POCK-02 to 08). Points are places in the truth's list.
-struct TruePockets {
-  std::vector<Pocket> pockets;
-  std::vector<std::uint32_t> outside;        // maxima, ascending
-  std::vector<std::uint32_t> largest_balls;  // empty iff there is no pocket
-  std::optional<WidestPath> widest;
-  // The numbers of the pockets above each mouth, ascending. The outside has the number of pockets.
-  std::map<std::uint32_t, std::vector<std::uint32_t>> above_mouths;
-};
-
-// The true flow complex, as the fast implementation or the oracle finds it. It has all stationary points, in the
-// order of FC-OUT-02, and what flows from and to them. A check asks only for what a claim needs.
-class Truth {
- public:
-  virtual ~Truth() = default;
-
-  [[nodiscard]] virtual std::size_t size() const = 0;
-  [[nodiscard]] virtual StationaryIndex index(std::size_t i) const = 0;
-  [[nodiscard]] virtual std::span<const PointId> contact(std::size_t i) const = 0;
-  [[nodiscard]] virtual ExactSphere sphere(std::size_t i) = 0;
-
-  // For an index-2 critical point: where its two orbits end (FC-FLOW-07), by side; none: infinity.
-  [[nodiscard]] virtual std::array<std::optional<std::size_t>, 2> limits(std::size_t i) = 0;
-  [[nodiscard]] virtual std::vector<TrueSegment> polyline(std::size_t i, std::size_t side) = 0;
-  // The orbit of any position. It has no segments if the position is stationary.
-  [[nodiscard]] virtual TruePath orbit(const RationalPoint& start) = 0;
-
-  // For an index-2 critical point: records of index 1, mod 2, ascending. If a tie leaves the boundary open, this is
-  // one choice that FC-CHAIN-02 allows. A truth that breaks no ties then gives none.
-  [[nodiscard]] virtual std::optional<std::vector<std::uint32_t>> boundary(std::size_t i) = 0;
-  // Both are for an index-2 critical point or a regular stationary point.
-  [[nodiscard]] virtual StableSummary stable_summary(std::size_t i) = 0;
-  [[nodiscard]] virtual StableSet<> stable_set(std::size_t i) = 0;
-  [[nodiscard]] virtual StableSet<> set_of_infinity() = 0;
-
-  // All three are for a stationary point whose face has dimension 1 or 2. Arcs and directions of the second one are in
-  // the order of some λ-list. The third one is sorted by `to`; infinity comes last.
-  [[nodiscard]] virtual LambdaList lambda_list(std::size_t i) = 0;
-  [[nodiscard]] virtual std::vector<FlowLimits::Entry> lambda_entries(std::size_t i) = 0;
-  [[nodiscard]] virtual std::vector<Connection> connections(std::size_t i) = 0;
-  [[nodiscard]] virtual bool is_morse_smale() = 0;
-
-  // Of the stable set of any stationary point (FC-VOL-01, 02): the volume, exactly; the nearest double, or an infinity
-  // where it would overflow; the shares that are not 0, by names of samples, ascending.
-  [[nodiscard]] virtual Rational volume(std::size_t i) = 0;
-  [[nodiscard]] virtual double nearest_volume(std::size_t i) = 0;
-  [[nodiscard]] virtual std::vector<std::pair<PointId, Rational>> shares(std::size_t i) = 0;
-  // The same samples, with the nearest doubles.
-  [[nodiscard]] virtual std::vector<std::pair<PointId, double>> nearest_shares(std::size_t i) = 0;
-  // Of the convex hull of all points.
-  [[nodiscard]] virtual Rational hull_volume() = 0;
-
-  // For a stationary point whose face has dimension 1 (FC-UNST-04). All lists are sorted, as in UnstableSurface.
-  [[nodiscard]] virtual UnstableSurface<> unstable_surface(std::size_t i) = 0;
-
-  // The square of a persistence, which is a difference of distances.
-  [[nodiscard]] virtual TruePockets pockets(const Rational& squared_persistence) = 0;
-  // The area is that of the S2 of an index-2 critical point, as FC-POCK-11 permits.
-  [[nodiscard]] virtual double area(std::size_t i) = 0;
-  // The double nearest to the sum of some volumes, or an infinity where it would overflow.
-  [[nodiscard]] virtual double nearest_volume_of(const std::vector<std::uint32_t>& points) = 0;
-};
-
-// The truth by the fast implementation, of points or of a complex that must outlive it. This takes as long as computing
-// the critical points. U2 is computed when it is first asked for.
-[[nodiscard]] std::unique_ptr<Truth> fast_truth(const PointSet& points, unsigned threads = 1);
-[[nodiscard]] std::unique_ptr<Truth> fast_truth(const FlowComplex& complex);
-std::unique_ptr<Truth> fast_truth(FlowComplex&&) = delete;
-
-// Takes time in proportion to the size of the claim, plus the time for the truth's answers. Each wrong claimed point
-// costs a scan of all points in floating point. Throws InvalidInput for a tolerance that is not between 0 and 1, and
-// std::runtime_error where this thread does not compute with doubles as IEEE 754 says.
-[[nodiscard]] CheckReport check(const PointSet& points, const Claim& claim, Truth& truth,
-                                const CheckOptions& options = {});
-// Judges by fast_truth(points).
+// Takes time in proportion to the size of the claim, plus the time for the parts of the complex that it needs. Each
+// wrong claimed point costs a scan of all points in floating point. Throws InvalidInput for a tolerance that is not
+// between 0 and 1, and std::runtime_error where this thread does not compute with doubles as IEEE 754 says. The first
+// computes the complex of the points itself.
 [[nodiscard]] CheckReport check(const PointSet& points, const Claim& claim, const CheckOptions& options = {});
+[[nodiscard]] CheckReport check(const FlowComplex& complex, const Claim& claim, const CheckOptions& options = {});
 
 }  // namespace flowcert
