@@ -27,6 +27,12 @@ constexpr FlowOptions kLazyBinary = {ConstructionKernel::kLazy, FacetSearch::kBi
 constexpr FlowOptions kLazyLinear = {ConstructionKernel::kLazy, FacetSearch::kLinear};
 constexpr FlowOptions kExactBinary = {ConstructionKernel::kExact, FacetSearch::kBinary};
 constexpr FlowOptions kExactLinear = {ConstructionKernel::kExact, FacetSearch::kLinear};
+
+// Each orbit by itself.
+constexpr FlowOptions alone(FlowOptions options) {
+  options.share = false;
+  return options;
+}
 constexpr const char* kFast = "the fast answer";
 // Whatever the usual kernel is, this pair is compared with the oracle too.
 constexpr const char* kLazy = "the fast answer, lazy, binary";
@@ -113,7 +119,7 @@ std::string name_of_orbit(const StationaryPoints& stationary, std::size_t record
 
 // Compares fast orbits of U2 that were computed in two ways.
 std::optional<Disagreement> difference_of_unstable(const Subject& subject, const StationaryPoints& stationary,
-                                                   const UnstableManifolds& usual, const UnstableOptions& options,
+                                                   const UnstableManifolds& usual, const FlowOptions& options,
                                                    const char* name) {
   const UnstableManifolds other(subject.complex.diagram(), stationary, options);
   for (std::size_t i = 0; i < usual.size(); ++i) {
@@ -191,7 +197,7 @@ std::optional<Disagreement> difference_of_flows(const Subject& subject, const Tr
 
 std::optional<Disagreement> difference_of_stable(const Subject& subject, const StationaryPoints& stationary) {
   const auto sets_by = [&](const FlowOptions& flow) {
-    return StableManifolds(subject.complex.diagram(), stationary, {.flow = flow, .seed = 0});
+    return StableManifolds(subject.complex.diagram(), stationary, flow);
   };
   const StableManifolds usual = sets_by(kLazyBinary);
   for (const auto& [name, options] :
@@ -244,7 +250,7 @@ std::optional<Disagreement> check_unstable_manifolds(const Trial& trial) {
   const Subject& subject = subject_of(trial.input);
   const StationaryPoints& stationary = subject.complex.stationary();
   const UnstableManifolds& manifolds = subject.complex.unstable();
-  const UnstableManifolds lazy(subject.complex.diagram(), stationary, {.flow = kLazyBinary, .share = true});
+  const UnstableManifolds lazy(subject.complex.diagram(), stationary, kLazyBinary);
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
     const oracle::StationaryPoint saddle = oracle_point(subject.complex.points(), stationary, manifolds.saddle(i));
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
@@ -271,7 +277,7 @@ std::optional<Disagreement> check_stable_sets(const Trial& trial) {
   const Subject& subject = subject_of(trial.input);
   const StationaryPoints& stationary = subject.complex.stationary();
   const StableManifolds& manifolds = subject.complex.stable();
-  const StableManifolds lazy(subject.complex.diagram(), stationary, {.flow = kLazyBinary, .seed = 0});
+  const StableManifolds lazy(subject.complex.diagram(), stationary, kLazyBinary);
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
     const auto z = oracle_point(subject.complex.points(), stationary, manifolds.record(i));
     const oracle::StableSet truth = oracle::stable_set(subject.set, z);
@@ -302,11 +308,10 @@ std::optional<Disagreement> check_orbit_kernels(const Trial& trial) {
 std::optional<Disagreement> check_unstable_kernels(const Trial& trial) {
   const Subject& subject = subject_of(trial.input);
   const StationaryPoints& stationary = subject.complex.stationary();
-  const UnstableManifolds usual(subject.complex.diagram(), stationary, {.flow = kLazyBinary, .share = true});
-  for (const auto& [name, options] : {std::pair{"lazy, binary, alone", UnstableOptions{kLazyBinary, false}},
-                                      std::pair{"cascade, binary, shared", UnstableOptions{kCascadeBinary, true}},
-                                      std::pair{"cascade, linear, alone", UnstableOptions{kCascadeLinear, false}},
-                                      std::pair{"exact, linear, shared", UnstableOptions{kExactLinear, true}}}) {
+  const UnstableManifolds usual(subject.complex.diagram(), stationary, kLazyBinary);
+  for (const auto& [name, options] :
+       {std::pair{"lazy, binary, alone", alone(kLazyBinary)}, std::pair{"cascade, binary, shared", kCascadeBinary},
+        std::pair{"cascade, linear, alone", alone(kCascadeLinear)}, std::pair{"exact, linear, shared", kExactLinear}}) {
     if (auto found = difference_of_unstable(subject, stationary, usual, options, name)) return found;
   }
   return std::nullopt;
@@ -319,7 +324,7 @@ std::optional<Disagreement> check_stable_kernels(const Trial& trial) {
 
 std::optional<Disagreement> check_threads(const Trial& trial) {
   const auto with = [&](unsigned threads) {
-    return account_of_parts(FlowComplex(point_set_of(trial.input), {.flow = {}, .threads = threads}));
+    return account_of_parts(FlowComplex(point_set_of(trial.input), {.threads = threads}));
   };
   const std::string alone = with(1);
   for (const unsigned threads : {2U, 3U, 8U}) {

@@ -124,8 +124,7 @@ class FastTruth final : public Truth {
 }  // namespace
 
 std::unique_ptr<Truth> fast_truth(const PointSet& points, unsigned threads) {
-  return std::make_unique<FastTruth>(
-      std::make_unique<FlowComplex>(points, FlowComplexOptions{.flow = {}, .threads = threads}));
+  return std::make_unique<FastTruth>(std::make_unique<FlowComplex>(points, FlowOptions{.threads = threads}));
 }
 std::unique_ptr<Truth> fast_truth(const FlowComplex& complex) { return std::make_unique<FastTruth>(complex); }
 

@@ -120,8 +120,10 @@ Input read_input(const std::string& path, const ReadingOptions& reading) {
   return input;
 }
 
-FlowComplexOptions complex_options(const Input& input, unsigned threads) {
-  return {.flow = {}, .threads = threads, .most_cells = input.most_cells};
+FlowOptions complex_options(const Input& input, unsigned threads, FlowOptions flow) {
+  flow.threads = threads;
+  flow.most_cells = input.most_cells;
+  return flow;
 }
 
 void tell_of_many_cells(const FlowComplex& complex) {

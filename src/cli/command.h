@@ -57,11 +57,11 @@ void add_view_command(CLI::App& app, int& status);
 struct Input {
   PointFile file;
   PointSet points;
-  std::size_t most_cells = 0;  // that the triangulation may have (FlowComplexOptions)
+  std::size_t most_cells = 0;  // that the triangulation may have (FlowOptions)
 };
 [[nodiscard]] Input read_input(const std::string& path, const ReadingOptions& reading = {});
-// For a flow complex of it.
-[[nodiscard]] FlowComplexOptions complex_options(const Input& input, unsigned threads);
+// For a flow complex of it, which is made in this way.
+[[nodiscard]] FlowOptions complex_options(const Input& input, unsigned threads, FlowOptions flow = {});
 
 // Says on standard error, before anything is written, that it will be much. Makes the diagram.
 void tell_of_many_cells(const FlowComplex& complex);

@@ -11,6 +11,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -72,23 +73,25 @@ ExportChoice export_choice(const ComputeOptions& options) {
           .clip = options.clip ? clip_factor(*options.clip) : ExportChoice{}.clip};
 }
 
-WantedManifolds wanted_manifolds(const ComputeOptions& options) {
-  WantedManifolds wanted;
-  wanted.all = has_word(options.manifolds, "all");
-  wanted.u2 = wanted.all || has_word(options.manifolds, "u2") || exports(options, "lines");
-  wanted.s2 = wanted.all || has_word(options.manifolds, "s2") || exports(options, "surfaces");
-  wanted.options = {.flow = options.u2.flow.options(), .share = !options.u2.alone, .threads = options.threads};
-  if (options.polylines && !wanted.u2) throw InvalidInput("--polylines: needs --manifolds u2");
-  if (options.u2.alone && !wanted.u2) throw InvalidInput("--alone: needs --manifolds u2");
-  if (options.skeletons && !wanted.s2) throw InvalidInput("--skeletons: needs --manifolds s2");
-  if (options.sheets && !wanted.all) throw InvalidInput("--sheets: needs --manifolds all");
+std::set<FlowComplexPart> wanted_parts(const ComputeOptions& options) {
+  const bool all = has_word(options.manifolds, "all");
+  const bool u2 = all || has_word(options.manifolds, "u2") || exports(options, "lines");
+  const bool s2 = all || has_word(options.manifolds, "s2") || exports(options, "surfaces");
+  if (options.polylines && !u2) throw InvalidInput("--polylines: needs --manifolds u2");
+  if (options.u2.alone && !u2) throw InvalidInput("--alone: needs --manifolds u2");
+  if (options.skeletons && !s2) throw InvalidInput("--skeletons: needs --manifolds s2");
+  if (options.sheets && !all) throw InvalidInput("--sheets: needs --manifolds all");
   for (const char* file : {"cells", "fans", "infinity", "sheets"}) {
-    if (has_word(options.only, file) && !wanted.all) {
+    if (has_word(options.only, file) && !all) {
       throw InvalidInput(fmt::format("--only: {} needs --manifolds all", file));
     }
   }
-  if (!options.volumes.empty() && !wanted.all) throw InvalidInput("--volumes: needs --manifolds all");
-  return wanted;
+  if (!options.volumes.empty() && !all) throw InvalidInput("--volumes: needs --manifolds all");
+  std::set<FlowComplexPart> parts;
+  if (u2) parts.insert(FlowComplexPart::kUnstable);
+  if (s2) parts.insert(FlowComplexPart::kStable);
+  if (all) parts.insert({FlowComplexPart::kLimits, FlowComplexPart::kVolumes});
+  return parts;
 }
 
 WrittenCenters written_centers(const std::string& name) {
@@ -105,12 +108,12 @@ void write_records(const ComputeOptions& options, const Measured& measured) {
   std::optional<OutputFile> file;
   if (options.output != kStandardStream) file.emplace(options.output);
   ProgressLine progress("writing exact records", file ? -1 : STDOUT_FILENO);
-  const RecordsToWrite wanted = {.u2 = measured.has.u2,
+  const RecordsToWrite wanted = {.u2 = measured.has_u2(),
                                  .polylines = options.polylines,
-                                 .s2 = measured.has.s2,
+                                 .s2 = measured.has_s2(),
                                  .skeletons = options.skeletons,
                                  .centers = written_centers(options.centers),
-                                 .all = measured.has.all,
+                                 .all = measured.has_all(),
                                  .volumes = written_volumes(options.volumes),
                                  .sheets = options.sheets};
   write_stationary_points(file ? file->stream() : std::cout, *measured.last, wanted, std::ref(progress));
@@ -118,17 +121,17 @@ void write_records(const ComputeOptions& options, const Measured& measured) {
 }
 
 void compute(const ComputeOptions& options) {
-  WantedManifolds wanted = wanted_manifolds(options);
+  const std::set<FlowComplexPart> parts = wanted_parts(options);
   const bool is_streamed = options.output == kStandardStream;
   if (is_streamed && options.json) throw InvalidInput("-o - and --json would both write to standard output");
   std::optional<ExportFiles> files;
   if (!options.export_directory.empty()) files.emplace(export_choice(options), display_name(options.input));
   const Input input = read_input(options.input, options.reading);
-  wanted.options.most_cells = input.most_cells;
   const PartMade made = [&files](const FlowComplex& complex, FlowComplexPart part) {
     if (files) files->write_after(complex, part);
   };
-  const Measured measured = measure(input.points, options.runs, wanted, made);
+  const Measured measured =
+      measure(input.points, options.runs, complex_options(input, options.threads, options.u2.options()), parts, made);
   tell_of_many_cells(*measured.last);
   if (!options.output.empty()) write_records(options, measured);
   if (options.json) {

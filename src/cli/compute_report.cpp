@@ -262,13 +262,13 @@ void print_times(const Measured& measured) {
             measured.runs == 1 ? "" : fmt::format("median of {} runs", measured.runs));
   print_row("critical points", seconds_text(measured.critical_seconds),
             multiple_text(measured, &DelaunayRatios::critical));
-  if (measured.has.u2) {
+  if (measured.has_u2()) {
     print_row("unstable manifolds U2", seconds_text(measured.u2_seconds), multiple_text(measured, &DelaunayRatios::u2));
   }
-  if (measured.has.s2) {
+  if (measured.has_s2()) {
     print_row("stable manifolds S2", seconds_text(measured.s2_seconds), multiple_text(measured, &DelaunayRatios::s2));
   }
-  if (!measured.has.all) return;
+  if (!measured.has_all()) return;
   print_row("limits of all directions", seconds_text(measured.limits_seconds),
             multiple_text(measured, &DelaunayRatios::limits));
   print_row("volumes", seconds_text(measured.volumes_seconds), multiple_text(measured, &DelaunayRatios::volumes));
@@ -278,10 +278,10 @@ Json seconds_field(const Measured& measured) {
   Json seconds;
   seconds["delaunay"] = measured.delaunay_seconds;
   seconds["critical"] = measured.critical_seconds;
-  if (measured.has.u2) seconds["u2"] = measured.u2_seconds;
-  if (measured.has.s2) seconds["s2"] = measured.s2_seconds;
-  if (measured.has.all) seconds["limits"] = measured.limits_seconds;
-  if (measured.has.all) seconds["volumes"] = measured.volumes_seconds;
+  if (measured.has_u2()) seconds["u2"] = measured.u2_seconds;
+  if (measured.has_s2()) seconds["s2"] = measured.s2_seconds;
+  if (measured.has_all()) seconds["limits"] = measured.limits_seconds;
+  if (measured.has_all()) seconds["volumes"] = measured.volumes_seconds;
   return seconds;
 }
 
@@ -291,10 +291,10 @@ Json ratios_field(const Measured& measured) {
   };
   Json ratios;
   ratios["critical"] = ratio(&DelaunayRatios::critical);
-  if (measured.has.u2) ratios["u2"] = ratio(&DelaunayRatios::u2);
-  if (measured.has.s2) ratios["s2"] = ratio(&DelaunayRatios::s2);
-  if (measured.has.all) ratios["limits"] = ratio(&DelaunayRatios::limits);
-  if (measured.has.all) ratios["volumes"] = ratio(&DelaunayRatios::volumes);
+  if (measured.has_u2()) ratios["u2"] = ratio(&DelaunayRatios::u2);
+  if (measured.has_s2()) ratios["s2"] = ratio(&DelaunayRatios::s2);
+  if (measured.has_all()) ratios["limits"] = ratio(&DelaunayRatios::limits);
+  if (measured.has_all()) ratios["volumes"] = ratio(&DelaunayRatios::volumes);
   ratios["all"] = ratio(&DelaunayRatios::all);
   return ratios;
 }
@@ -306,9 +306,9 @@ void print_compute_table(const std::string& name, const Input& input, const Meas
   const FlowComplex& complex = *measured.last;
   print_wrapped(fmt::format("{} ({})", name, input.file.format));
   print_counts(input.points, complex.stationary());
-  if (measured.has.u2) print_u2_rows(complex.unstable().statistics());
-  if (measured.has.s2) print_s2_rows(complex.stationary(), complex.stable());
-  if (measured.has.all) print_whole_complex_rows(complex);
+  if (measured.has_u2()) print_u2_rows(complex.unstable().statistics());
+  if (measured.has_s2()) print_s2_rows(complex.stationary(), complex.stable());
+  if (measured.has_all()) print_whole_complex_rows(complex);
   print_times(measured);
   for (std::size_t k = 0; k < kPredicateCount; ++k) {
     const FilterCount& count = complex.filter_tally().counts[k];
@@ -316,8 +316,8 @@ void print_compute_table(const std::string& name, const Input& input, const Meas
               fmt::format("of {} calls", with_commas(count.calls)));
   }
   print_row("peak memory", fmt::format("{:.1f} MiB", static_cast<double>(peak_memory()) / (1024 * 1024)));
-  if (measured.has.u2 && choice.with_statistics) print_u2_statistics(complex.unstable().statistics());
-  if (measured.has.s2 && choice.with_statistics) print_s2_statistics(complex.stable().statistics());
+  if (measured.has_u2() && choice.with_statistics) print_u2_statistics(complex.unstable().statistics());
+  if (measured.has_s2() && choice.with_statistics) print_s2_statistics(complex.stable().statistics());
 }
 
 Json compute_summary(const Input& input, const Measured& measured, const U2Choice& choice) {
@@ -335,9 +335,9 @@ Json compute_summary(const Input& input, const Measured& measured, const U2Choic
     field["calls"] = complex.filter_tally().counts[k].calls;
     field["failures"] = complex.filter_tally().counts[k].failures;
   }
-  if (measured.has.u2) summary["u2"] = u2_field(choice, complex.unstable().statistics());
-  if (measured.has.s2) summary["s2"] = s2_field(choice, complex.stationary(), complex.stable());
-  if (measured.has.all) summary["whole_complex"] = whole_complex_field(complex);
+  if (measured.has_u2()) summary["u2"] = u2_field(choice, complex.unstable().statistics());
+  if (measured.has_s2()) summary["s2"] = s2_field(choice, complex.stationary(), complex.stable());
+  if (measured.has_all()) summary["whole_complex"] = whole_complex_field(complex);
   summary["peak_memory_bytes"] = peak_memory();
   return summary;
 }

@@ -20,6 +20,12 @@ struct U2Choice {
   FlowChoice flow;
   bool alone = false;
   bool with_statistics = false;
+
+  [[nodiscard]] FlowOptions options() const {
+    FlowOptions options = flow.options();
+    options.share = !alone;
+    return options;
+  }
 };
 
 // Prints where the orbits end.

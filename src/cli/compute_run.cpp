@@ -30,10 +30,10 @@ struct Times {
   std::vector<double> delaunay, critical, u2, s2, limits, volumes, all;
 };
 
-FlowComplex run_once(const PointSet& points, const WantedManifolds& wanted, unsigned run, unsigned runs, Times& times,
-                     const PartMade& made) {
-  FlowComplex complex(points, wanted.options,
-                      part_progress(runs == 1 ? "" : fmt::format(", run {} of {}", run + 1, runs)));
+FlowComplex run_once(const PointSet& points, const Measured& wanted, const FlowOptions& options, unsigned run,
+                     Times& times, const PartMade& made) {
+  const unsigned runs = wanted.runs;
+  FlowComplex complex(points, options, part_progress(runs == 1 ? "" : fmt::format(", run {} of {}", run + 1, runs)));
   const auto seconds_to_make = [&](FlowComplexPart part) {
     const Clock::time_point start = Clock::now();
     complex.make(part);
@@ -43,9 +43,9 @@ FlowComplex run_once(const PointSet& points, const WantedManifolds& wanted, unsi
   };
   times.delaunay.push_back(seconds_to_make(FlowComplexPart::kTriangulation));
   times.critical.push_back(seconds_to_make(FlowComplexPart::kStationary));
-  if (wanted.s2) times.s2.push_back(seconds_to_make(FlowComplexPart::kStable));
-  if (wanted.u2) times.u2.push_back(seconds_to_make(FlowComplexPart::kUnstable));
-  if (wanted.all) {
+  if (wanted.has_s2()) times.s2.push_back(seconds_to_make(FlowComplexPart::kStable));
+  if (wanted.has_u2()) times.u2.push_back(seconds_to_make(FlowComplexPart::kUnstable));
+  if (wanted.has_all()) {
     times.limits.push_back(seconds_to_make(FlowComplexPart::kLimits));
     times.volumes.push_back(seconds_to_make(FlowComplexPart::kVolumes));
   }
@@ -54,24 +54,24 @@ FlowComplex run_once(const PointSet& points, const WantedManifolds& wanted, unsi
 
 }  // namespace
 
-Measured measure(const PointSet& points, unsigned runs, const WantedManifolds& wanted, const PartMade& made) {
+Measured measure(const PointSet& points, unsigned runs, const FlowOptions& options,
+                 const std::set<FlowComplexPart>& parts, const PartMade& made) {
   const ProgressLine progress("computing");
-  Measured result;
+  Measured result{.last = {}, .parts = parts, .runs = runs, .ratios = {}};
   Times times;
   for (unsigned run = 0; run < runs; ++run) {
     result.last.reset();
-    result.last.emplace(run_once(points, wanted, run, runs, times, made));
-    times.all.push_back(times.critical.back() + (wanted.u2 ? times.u2.back() : 0) + (wanted.s2 ? times.s2.back() : 0) +
-                        (wanted.all ? times.limits.back() + times.volumes.back() : 0));
+    result.last.emplace(run_once(points, result, options, run, times, made));
+    times.all.push_back(times.critical.back() + (result.has_u2() ? times.u2.back() : 0) +
+                        (result.has_s2() ? times.s2.back() : 0) +
+                        (result.has_all() ? times.limits.back() + times.volumes.back() : 0));
   }
-  result.has = wanted;
-  result.runs = runs;
   result.delaunay_seconds = median(times.delaunay);
   result.critical_seconds = median(times.critical);
-  if (wanted.u2) result.u2_seconds = median(times.u2);
-  if (wanted.s2) result.s2_seconds = median(times.s2);
-  if (wanted.all) result.limits_seconds = median(times.limits);
-  if (wanted.all) result.volumes_seconds = median(times.volumes);
+  if (result.has_u2()) result.u2_seconds = median(times.u2);
+  if (result.has_s2()) result.s2_seconds = median(times.s2);
+  if (result.has_all()) result.limits_seconds = median(times.limits);
+  if (result.has_all()) result.volumes_seconds = median(times.volumes);
   if (points.size() >= 4 && result.delaunay_seconds > 0) {
     result.ratios = {.critical = result.critical_seconds / result.delaunay_seconds,
                      .u2 = result.u2_seconds / result.delaunay_seconds,

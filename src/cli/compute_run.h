@@ -3,18 +3,12 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 
 #include "cli/layer.h"
 #include "flowcert/flow_complex.h"
 
 namespace flowcert::cli {
-
-struct WantedManifolds {
-  bool u2 = false;
-  bool s2 = false;
-  bool all = false;  // then u2 and s2, too
-  FlowComplexOptions options;
-};
 
 // Each is a time divided by the time of the triangulation.
 struct DelaunayRatios {
@@ -28,7 +22,11 @@ struct DelaunayRatios {
 
 struct Measured {
   std::optional<FlowComplex> last;
-  WantedManifolds has;
+  // Parts beyond the stationary points: U2, S2, limits and volumes.
+  std::set<FlowComplexPart> parts;
+  [[nodiscard]] bool has_u2() const { return parts.contains(FlowComplexPart::kUnstable); }
+  [[nodiscard]] bool has_s2() const { return parts.contains(FlowComplexPart::kStable); }
+  [[nodiscard]] bool has_all() const { return parts.contains(FlowComplexPart::kVolumes); }
   unsigned runs = 0;
   double delaunay_seconds = 0;  // medians
   double critical_seconds = 0;
@@ -43,9 +41,9 @@ struct Measured {
 // Called with what the last run has just made. It may take its time, which is not measured.
 using PartMade = std::function<void(const FlowComplex& complex, FlowComplexPart part)>;
 
-// Computes everything `runs` times. Each run makes the triangulation, the critical points and the wanted manifolds in
-// turn, so that all parts see the same state of the machine.
-[[nodiscard]] Measured measure(const PointSet& points, unsigned runs, const WantedManifolds& wanted,
-                               const PartMade& made = {});
+// Computes everything `runs` times. Each run makes the triangulation, the critical points and these parts in turn, so
+// that all parts see the same state of the machine.
+[[nodiscard]] Measured measure(const PointSet& points, unsigned runs, const FlowOptions& options,
+                               const std::set<FlowComplexPart>& parts, const PartMade& made = {});
 
 }  // namespace flowcert::cli

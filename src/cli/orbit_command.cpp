@@ -105,9 +105,8 @@ void print_orbit(const OrbitOptions& options) {
   if (input.points.empty()) {
     throw InvalidInput(fmt::format("{}: there are no points", display_name(options.input)));
   }
-  const FlowComplex complex(
-      input.points, {.flow = options.flow.options(), .threads = options.threads, .most_cells = input.most_cells},
-      part_progress());
+  const FlowComplex complex(input.points, complex_options(input, options.threads, options.flow.options()),
+                            part_progress());
   const Orbit orbit = orbit_of(complex, start);
   if (options.json) {
     print_json(orbit, input);

@@ -45,9 +45,7 @@ struct PersistenceRun {
   // Makes one part of the complex after the other, and takes the time of each. The seed decides all choices that
   // break ties.
   PersistenceRun(const Input& input, std::uint64_t seed, unsigned threads)
-      : complex(input.points,
-                {.flow = {}, .share = true, .seed = seed, .threads = threads, .most_cells = input.most_cells},
-                part_progress()) {
+      : complex(input.points, complex_options(input, threads, {.seed = seed}), part_progress()) {
     const ProgressLine progress("computing");
     using Clock = std::chrono::steady_clock;
     const auto make = [this](FlowComplexPart part, double& sum) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -39,11 +40,12 @@ struct StatsOptions {
   U2Choice u2{.flow = {}, .alone = false, .with_statistics = true};
 };
 
-WantedManifolds wanted_manifolds_of(const StatsOptions& options) {
-  const auto wants = [&](const char* name) { return std::ranges::count(options.manifolds, name) > 0; };
-  return {.u2 = wants("u2"),
-          .s2 = wants("s2"),
-          .options = {.flow = options.u2.flow.options(), .share = !options.u2.alone, .threads = options.threads}};
+std::set<FlowComplexPart> wanted_parts(const StatsOptions& options) {
+  std::set<FlowComplexPart> parts;
+  for (const std::string& name : options.manifolds) {
+    parts.insert(name == "u2" ? FlowComplexPart::kUnstable : FlowComplexPart::kStable);
+  }
+  return parts;
 }
 
 // A distribution, and how it is shown.
@@ -55,14 +57,14 @@ struct Shown {
 
 std::vector<Shown> histograms_of(const Measured& measured, bool logarithmic) {
   std::vector<Shown> all;
-  if (measured.has.s2) {
+  if (measured.has_s2()) {
     const StableStatistics& s2 = measured.last->stable().statistics();
     all.push_back({"n_S2, down to index 1",
                    s2.n_s2,
                    {"n_s2", "n_S2: segments from a saddle of index 2 down to one of index 1", "segments", logarithmic,
                     equal_bins(s2.n_s2)}});
   }
-  if (!measured.has.u2) return all;
+  if (!measured.has_u2()) return all;
   const FlowStatistics& u2 = measured.last->unstable().statistics();
   all.push_back({"n_U2, orbits",
                  u2.n_u2,
@@ -86,8 +88,8 @@ void print_text(const StatsOptions& options, const Input& input, const Measured&
   for (const Shown& shown : all) add_distribution(table, shown.name, shown.distribution);
   table.print();
   fmt::print("\ndeepest construction:");
-  if (measured.has.s2) fmt::print(" S2 {}", with_commas(measured.last->stable().statistics().depth));
-  if (measured.has.u2) fmt::print(" U2 {}", with_commas(measured.last->unstable().statistics().depth));
+  if (measured.has_s2()) fmt::print(" S2 {}", with_commas(measured.last->stable().statistics().depth));
+  if (measured.has_u2()) fmt::print(" U2 {}", with_commas(measured.last->unstable().statistics().depth));
   fmt::print("\n");
   for (const Shown& shown : all) print_bars(shown.histogram);
 }
@@ -95,10 +97,10 @@ void print_text(const StatsOptions& options, const Input& input, const Measured&
 void print_json(const StatsOptions& options, const Input& input, const Measured& measured) {
   Json json = compute_summary(input, measured, options.u2);
   json["format"] = "flowcert-stats";
-  if (measured.has.u2) {
+  if (measured.has_u2()) {
     json["u2"]["exact_bytes"] = distribution_field(measured.last->unstable().statistics().exact_bytes);
   }
-  if (measured.has.s2) json["s2"]["depth"] = measured.last->stable().statistics().depth;
+  if (measured.has_s2()) json["s2"]["depth"] = measured.last->stable().statistics().depth;
   fmt::print("{}\n", json.dump());
 }
 
@@ -128,9 +130,8 @@ void write_pictures(const StatsOptions& options, const std::vector<Shown>& all) 
 void show_statistics(const StatsOptions& options) {
   const Input input = read_input(options.input, options.reading);
   if (!options.svg_directory.empty()) make_picture_directory(options.svg_directory);
-  WantedManifolds wanted = wanted_manifolds_of(options);
-  wanted.options.most_cells = input.most_cells;
-  const Measured measured = measure(input.points, options.runs, wanted);
+  const FlowOptions how = complex_options(input, options.threads, options.u2.options());
+  const Measured measured = measure(input.points, options.runs, how, wanted_parts(options));
   const std::vector<Shown> all = histograms_of(measured, options.logarithmic);
   if (!options.svg_directory.empty()) write_pictures(options, all);
   if (options.json) {

@@ -33,7 +33,7 @@ bool tells_by_itself(FlowComplexPart part) {
 std::size_t usual_most_cells(std::size_t points) { return std::max<std::size_t>(100 * points, 2'000'000); }
 
 struct FlowComplex::Parts {
-  Parts(PointSet all, FlowComplexOptions how, Progress told)
+  Parts(PointSet all, FlowOptions how, Progress told)
       : points(std::move(all)), options(how), progress(std::move(told)) {
     if (options.threads == 0) throw std::invalid_argument("a flow complex takes at least one thread");
   }
@@ -47,11 +47,11 @@ struct FlowComplex::Parts {
   }
 
   auto with_flow(const VoronoiDiagram& faces, const auto& use) {
-    return flows.with([&] { return std::make_unique<Flow>(faces, options.flow); }, use);
+    return flows.with([&] { return std::make_unique<Flow>(faces, options); }, use);
   }
 
   PointSet points;
-  FlowComplexOptions options;
+  FlowOptions options;
   Progress progress;
 
   std::array<std::mutex, kFlowComplexParts> making;
@@ -73,7 +73,7 @@ struct FlowComplex::Parts {
   auto with_locator(const FlowLimits& by_limits, const auto& use) {
     const auto make = [&] {
       const std::scoped_lock lock(making_locator);
-      if (!locator) locator.emplace(*diagram, *stationary, by_limits, options.flow);
+      if (!locator) locator.emplace(*diagram, *stationary, by_limits, options);
       return std::make_unique<FlowLocator>(*locator);
     };
     return locators.with(make, use);
@@ -85,9 +85,9 @@ struct FlowComplex::Parts {
   WorkerPool<FlowLocator> locators;
 };
 
-FlowComplex::FlowComplex(PointSet points, FlowComplexOptions options, Progress progress)
+FlowComplex::FlowComplex(PointSet points, FlowOptions options, Progress progress)
     : parts_(std::make_unique<Parts>(std::move(points), options, std::move(progress))) {}
-FlowComplex::FlowComplex(std::span<const Point> rows, FlowComplexOptions options, Progress progress)
+FlowComplex::FlowComplex(std::span<const Point> rows, FlowOptions options, Progress progress)
     : FlowComplex(PointSet(rows), options, std::move(progress)) {}
 FlowComplex::~FlowComplex() = default;
 FlowComplex::FlowComplex(FlowComplex&&) noexcept = default;
@@ -117,13 +117,11 @@ void FlowComplex::make(FlowComplexPart part) const {
       break;
     case FlowComplexPart::kUnstable:
       make(FlowComplexPart::kStationary);
-      all.unstable.emplace(*all.diagram, *all.stationary,
-                           UnstableOptions{all.options.flow, all.options.share, all.options.threads}, progress);
+      all.unstable.emplace(*all.diagram, *all.stationary, all.options, progress);
       break;
     case FlowComplexPart::kStable:
       make(FlowComplexPart::kStationary);
-      all.stable.emplace(*all.diagram, *all.stationary,
-                         StableOptions{all.options.flow, all.options.seed, all.options.threads}, progress);
+      all.stable.emplace(*all.diagram, *all.stationary, all.options, progress);
       break;
     case FlowComplexPart::kChains:
       make(FlowComplexPart::kUnstable);
@@ -138,7 +136,7 @@ void FlowComplex::make(FlowComplexPart part) const {
       break;
     case FlowComplexPart::kLimits:
       make(FlowComplexPart::kStationary);
-      all.limits.emplace(*all.diagram, *all.stationary, all.options.flow, progress);
+      all.limits.emplace(*all.diagram, *all.stationary, all.options, progress);
       break;
     case FlowComplexPart::kVolumes:
       make(FlowComplexPart::kLimits);
@@ -147,7 +145,7 @@ void FlowComplex::make(FlowComplexPart part) const {
     case FlowComplexPart::kUnstableSurfaces:
       make(FlowComplexPart::kStationary);
       if (progress) progress(0, 1);
-      all.unstable_surfaces.emplace(*all.diagram, *all.stationary, all.options.flow);
+      all.unstable_surfaces.emplace(*all.diagram, *all.stationary, all.options);
       break;
     case FlowComplexPart::kMergeTrees:
       make(FlowComplexPart::kLimits);

@@ -47,7 +47,7 @@ struct StableManifolds::Parts {
     StableStatistics statistics;
   };
 
-  Parts(const VoronoiDiagram& voronoi, const StationaryPoints& list, StableOptions how)
+  Parts(const VoronoiDiagram& voronoi, const StationaryPoints& list, FlowOptions how)
       : diagram(voronoi),
         points(voronoi.points()),
         stationary(list),
@@ -56,8 +56,7 @@ struct StableManifolds::Parts {
         gabriel(points, list, vertex_of) {}
 
   [[nodiscard]] std::unique_ptr<SkeletonWalk> make_walk() const {
-    return std::make_unique<SkeletonWalk>(SkeletonSource{diagram, points, stationary, vertex_of, gabriel},
-                                          options.flow);
+    return std::make_unique<SkeletonWalk>(SkeletonSource{diagram, points, stationary, vertex_of, gabriel}, options);
   }
 
   void compute(const Progress& progress);
@@ -79,7 +78,7 @@ struct StableManifolds::Parts {
   const VoronoiDiagram& diagram;
   const PointSet& points;
   const StationaryPoints& stationary;
-  StableOptions options;
+  FlowOptions options;
   std::vector<VertexIndex> vertex_of;
   GabrielEdges gabriel;
   std::size_t first_critical = 0, critical_count = 0, first_regular = 0;  // records
@@ -174,7 +173,7 @@ void StableManifolds::Parts::compute(const Progress& progress) {
   const std::vector<std::uint32_t> order =
       along_the_curve(stationary, sets.size(), [this](std::uint32_t k) { return record_of(k); });
   std::vector<std::unique_ptr<SkeletonWalk>> team;
-  const unsigned threads = team_size(options.flow, options.threads);
+  const unsigned threads = team_size(options, options.threads);
   team.reserve(threads);
   for (unsigned k = 0; k < threads; ++k) team.push_back(make_walk());
   shares.resize(team.size());
@@ -194,8 +193,8 @@ void StableManifolds::Parts::compute(const Progress& progress) {
   if (progress) progress(sets.size(), sets.size());
 }
 
-StableManifolds::StableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
-                                 StableOptions options, const Progress& progress)
+StableManifolds::StableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary, FlowOptions options,
+                                 const Progress& progress)
     : parts_(geometry::in_ieee_doubles([&] {
         auto parts = std::make_unique<Parts>(diagram, stationary, options);
         parts->compute(progress);

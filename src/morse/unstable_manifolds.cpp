@@ -42,7 +42,7 @@ RationalPoint exact_normal(const Point& a, const Point& b, const Point& c) {
 struct UnstableManifolds::Parts {
   class Worker;
 
-  Parts(const VoronoiDiagram& voronoi, const StationaryPoints& list, UnstableOptions how)
+  Parts(const VoronoiDiagram& voronoi, const StationaryPoints& list, FlowOptions how)
       : diagram(voronoi), stationary(list), finder(list), options(how) {}
 
   void compute(const Progress& progress);
@@ -51,7 +51,7 @@ struct UnstableManifolds::Parts {
   const VoronoiDiagram& diagram;
   const StationaryPoints& stationary;
   RecordFinder finder;
-  UnstableOptions options;
+  FlowOptions options;
   std::vector<std::uint32_t> record_at;  // by cluster: the stationary point there
   // The index-2 points come one after the other in the list. A limit is a place in the list.
   static constexpr std::uint32_t kInfinity = 0xffffffffu;
@@ -66,7 +66,7 @@ class UnstableManifolds::Parts::Worker {
   explicit Worker(const Parts& all)
       : all_(all),
         faces_(all.diagram),
-        flow_(make_flow_operator(faces_, all.options.flow)),
+        flow_(make_flow_operator(faces_, all.options)),
         recorder_(all.diagram.points(), faces_.diagram(), *flow_),
         forest_(faces_.diagram(), all.options.share),
         rounded_(*flow_, faces_.diagram().delaunay().finite_count) {}
@@ -270,7 +270,7 @@ void UnstableManifolds::Parts::compute(const Progress& progress) {
   const auto record_of = [first = first](std::uint32_t i) { return first + i; };
   const std::vector<std::uint32_t> order = along_the_curve(stationary, limits.size(), record_of);
   std::vector<std::unique_ptr<Worker>> team;
-  const unsigned most = team_size(options.flow, options.threads), threads = options.share ? most : 1;
+  const unsigned most = team_size(options, options.threads), threads = options.share ? most : 1;
   team.reserve(threads);
   for (unsigned k = 0; k < threads; ++k) team.push_back(std::make_unique<Worker>(*this));
   constexpr std::size_t kPortion = geometry::portion_size(1024);
@@ -307,7 +307,7 @@ void UnstableManifolds::Parts::compute(const Progress& progress) {
 }
 
 UnstableManifolds::UnstableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
-                                     UnstableOptions options, const Progress& progress)
+                                     FlowOptions options, const Progress& progress)
     : parts_(geometry::in_ieee_doubles([&] {
         auto parts = std::make_unique<Parts>(diagram, stationary, options);
         parts->compute(progress);

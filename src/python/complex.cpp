@@ -20,9 +20,8 @@ namespace {
 // How many records a thread rounds before it takes others.
 constexpr std::size_t kRecords = 512;
 
-FlowComplexOptions options_for(std::size_t points, unsigned threads, bool unlimited) {
-  return {.flow = {},
-          .threads = threads == 0 ? geometry::all_cores() : threads,
+FlowOptions options_for(std::size_t points, unsigned threads, bool unlimited) {
+  return {.threads = threads == 0 ? geometry::all_cores() : threads,
           .most_cells = unlimited ? kAnyNumberOfCells : usual_most_cells(points)};
 }
 

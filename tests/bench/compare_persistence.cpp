@@ -26,7 +26,7 @@ double since(Clock::time_point start) { return std::chrono::duration<double>(Clo
 
 struct Own {
   Own(const PointSet& points, std::uint64_t seed) {
-    const FlowComplex complex(points, {.flow = {}, .share = true, .seed = seed});
+    const FlowComplex complex(points, {.seed = seed});
     complex.make(FlowComplexPart::kTriangulation);
     const Clock::time_point start = Clock::now();
     pairs = property::exact_pairs(complex.persistence());

@@ -224,7 +224,7 @@ void add_fast_surfaces(const FlowComplex& complex, Json& records) {
 }
 
 Json fast_answer(const Json& one, ConstructionKernel kernel) {
-  const FlowComplex complex(fast_points(one), {.flow = {kernel, FacetSearch::kBinary}});
+  const FlowComplex complex(fast_points(one), {kernel, FacetSearch::kBinary});
   Json answer;
   add_counts(answer, complex.points(), complex.stationary());
   answer.erase("points");

@@ -39,7 +39,7 @@ TEST(CascadeLengths, TheOracleFollowsTheShortOnes) {
     const StationaryPoints& stationary = subject.complex.stationary();
     for (const ConstructionKernel kernel :
          {ConstructionKernel::kCascade, ConstructionKernel::kLazy, ConstructionKernel::kExact}) {
-      const UnstableManifolds manifolds(subject.complex.diagram(), stationary, {{kernel, FacetSearch::kBinary}, true});
+      const UnstableManifolds manifolds(subject.complex.diagram(), stationary, {kernel, FacetSearch::kBinary});
       ASSERT_GE(manifolds.statistics().n_wcc.max(), length);
       for (std::size_t i = 0; i < manifolds.size(); ++i) {
         const auto contact = stationary.contact(manifolds.saddle(i));

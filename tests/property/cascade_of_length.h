@@ -16,7 +16,7 @@ inline std::size_t points_of_cascade(std::size_t length) { return length + lengt
 
 struct CascadeOfLength {
   CascadeOfLength(std::size_t length, ConstructionKernel kernel)
-      : complex(rows_of(fuzz::long_cascade(points_of_cascade(length), 1)), {.flow = {kernel, FacetSearch::kBinary}}) {}
+      : complex(rows_of(fuzz::long_cascade(points_of_cascade(length), 1)), {kernel, FacetSearch::kBinary}) {}
 
   [[nodiscard]] const FlowStatistics& u2() const { return complex.unstable().statistics(); }
 

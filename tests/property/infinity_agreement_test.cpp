@@ -49,8 +49,7 @@ struct Totals {
 // The lists of both implementations are sorted.
 void require_right_set(const Subject& subject, Totals& totals) {
   const auto set_by = [&](ConstructionKernel kernel, FacetSearch search) {
-    return StableManifolds(subject.complex.diagram(), subject.complex.stationary(), {{kernel, search}})
-        .set_of_infinity();
+    return StableManifolds(subject.complex.diagram(), subject.complex.stationary(), {kernel, search}).set_of_infinity();
   };
   const StableSet<> fast = set_by(ConstructionKernel::kCascade, FacetSearch::kBinary);
   const auto require_same = [&](const StableSet<>& other, const std::string& whose) {

@@ -51,7 +51,7 @@ std::size_t expect_orbits_agree(const Subject& subject, const std::vector<Ration
 std::size_t expect_manifolds_agree(const Subject& subject, std::size_t step) {
   const StationaryPoints& stationary = subject.complex.stationary();
   const auto manifolds_by = [&](ConstructionKernel kernel) {
-    return UnstableManifolds(subject.complex.diagram(), stationary, {{kernel, FacetSearch::kBinary}, true});
+    return UnstableManifolds(subject.complex.diagram(), stationary, {kernel, FacetSearch::kBinary});
   };
   UnstableManifolds manifolds = manifolds_by(ConstructionKernel::kLazy);
   UnstableManifolds cascade = manifolds_by(ConstructionKernel::kCascade);

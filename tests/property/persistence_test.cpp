@@ -37,8 +37,7 @@ using Chain = std::vector<std::uint32_t>;  // records, ascending
 
 // Everything of one input, with one way of breaking ties.
 struct Subject : FlowComplex {
-  explicit Subject(const PointSet& points, std::uint64_t seed = 0)
-      : FlowComplex(points, {.flow = {}, .share = true, .seed = seed}) {}
+  explicit Subject(const PointSet& points, std::uint64_t seed = 0) : FlowComplex(points, {.seed = seed}) {}
 
   [[nodiscard]] int index(std::size_t record) const { return stationary().index(record).face_dimension; }
   [[nodiscard]] std::size_t critical_count() const {

@@ -81,7 +81,7 @@ void require_right_summary(const Subject& subject, const StationaryPoints& stati
 void require_right_sets(const Subject& subject, Totals& totals) {
   const StationaryPoints& stationary = subject.complex.stationary();
   const auto sets_by = [&](ConstructionKernel kernel, FacetSearch search) {
-    return StableManifolds(subject.complex.diagram(), stationary, {{kernel, search}});
+    return StableManifolds(subject.complex.diagram(), stationary, {kernel, search});
   };
   const StableManifolds lazy = sets_by(ConstructionKernel::kLazy, FacetSearch::kBinary);
   const StableManifolds cascade = sets_by(ConstructionKernel::kCascade, FacetSearch::kBinary);
@@ -111,7 +111,7 @@ void require_right_sets(const Subject& subject, Totals& totals) {
 void require_right_maxima(const Subject& subject, Totals& totals) {
   const StationaryPoints& stationary = subject.complex.stationary();
   const StableManifolds exact(subject.complex.diagram(), stationary,
-                              {{ConstructionKernel::kExact, FacetSearch::kLinear}});
+                              {ConstructionKernel::kExact, FacetSearch::kLinear});
   for (std::size_t record = 0; record < stationary.size(); ++record) {
     if (stationary.index(record) != StationaryIndex{3, 3}) continue;
     const StableSet<> fast = subject.complex.stable().set_of_record(record);

@@ -76,8 +76,7 @@ Claim claim_in_decimals(Claim claim) {
 
 // Breaks ties at random, and counts the boundaries that came out otherwise.
 Claim with_other_ties(const Subject& subject, Claim claim, std::size_t& differing) {
-  const StableManifolds other(subject.complex.diagram(), subject.complex.stationary(),
-                              {.flow = {}, .seed = 1 + below(1000000)});
+  const StableManifolds other(subject.complex.diagram(), subject.complex.stationary(), {.seed = 1 + below(1000000)});
   for (std::size_t k = 0; k < other.size(); ++k) {
     ClaimedPoint& point = claim.points[other.record(k)];
     if (point.hull_dimension) continue;

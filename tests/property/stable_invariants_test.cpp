@@ -57,7 +57,7 @@ struct FastSets {
   FastSets(const Subject& of, ConstructionKernel kernel)
       : subject(of),
         stationary(subject.complex.stationary()),
-        manifolds(subject.complex.diagram(), stationary, {.flow = {.kernel = kernel}}) {
+        manifolds(subject.complex.diagram(), stationary, {.kernel = kernel}) {
     for (std::size_t i = 0; i < manifolds.size(); ++i) {
       const StationaryPoint z = oracle_point(subject.complex.points(), stationary, manifolds.record(i));
       const StableSet<> set = manifolds.set(i);

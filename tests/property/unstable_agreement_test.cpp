@@ -38,6 +38,12 @@ constexpr FlowOptions kCascadeBinary = {ConstructionKernel::kCascade, FacetSearc
 constexpr FlowOptions kCascadeLinear = {ConstructionKernel::kCascade, FacetSearch::kLinear};
 constexpr FlowOptions kExactLinear = {ConstructionKernel::kExact, FacetSearch::kLinear};
 
+// Each orbit by itself.
+constexpr FlowOptions alone(FlowOptions options) {
+  options.share = false;
+  return options;
+}
+
 // All orbits of an input, computed in one way.
 struct Answer {
   std::vector<std::size_t> saddles;
@@ -46,7 +52,7 @@ struct Answer {
   FlowStatistics statistics;
 };
 
-Answer answer_of(const Subject& subject, const StationaryPoints& stationary, const UnstableOptions& options) {
+Answer answer_of(const Subject& subject, const StationaryPoints& stationary, const FlowOptions& options) {
   UnstableManifolds manifolds(subject.complex.diagram(), stationary, options);
   Answer answer;
   answer.statistics = manifolds.statistics();
@@ -282,8 +288,8 @@ void print_row(const std::string& name, const Seen& seen) {
 // searches.
 FlowStatistics compared_statistics(const Subject& subject) {
   const StationaryPoints& stationary = subject.complex.stationary();
-  const Answer shared = answer_of(subject, stationary, {kLazyBinary, true});
-  const Answer alone = answer_of(subject, stationary, {kLazyBinary, false});
+  const Answer shared = answer_of(subject, stationary, kLazyBinary);
+  const Answer alone = answer_of(subject, stationary, alone(kLazyBinary));
   require_none(subject.input, shared.saddles == saddles_of(stationary) ? "" : "not the list's saddles", "");
   for (std::size_t i = 0; i < shared.saddles.size(); i += 1 + shared.saddles.size() / kSaddlesByOracle) {
     const auto saddle = stationary_point(subject, stationary, shared.saddles[i]);
@@ -295,11 +301,11 @@ FlowStatistics compared_statistics(const Subject& subject) {
   }
   require_same_answer(subject, "shared against alone", shared, alone);
   require_same_answer(subject, "lazy and binary against exact and linear", shared,
-                      answer_of(subject, stationary, {kExactLinear, true}));
+                      answer_of(subject, stationary, kExactLinear));
   require_same_answer(subject, "lazy and binary against cascade and binary", shared,
-                      answer_of(subject, stationary, {kCascadeBinary, true}));
+                      answer_of(subject, stationary, kCascadeBinary));
   require_same_answer(subject, "lazy and binary against cascade and linear, each alone", shared,
-                      answer_of(subject, stationary, {kCascadeLinear, false}));
+                      answer_of(subject, stationary, alone(kCascadeLinear)));
   const Counts counts = counted_again(shared);
   require_same_counts(subject, "statistics against the orbits counted again", counts_of(shared.statistics), counts);
   RC_ASSERT(alone.statistics.segments_computed == segments_of(counts));

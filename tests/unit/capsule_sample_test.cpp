@@ -129,7 +129,7 @@ TEST(CapsuleSample, TheKernelsAgree) {
   const std::vector<Point> rows = property::rows_of(capsule_sample(100));
   const FlowComplex expected(rows);
   for (const ConstructionKernel kernel : {ConstructionKernel::kLazy, ConstructionKernel::kExact}) {
-    const FlowComplex complex(rows, {.flow = {kernel, FacetSearch::kBinary}});
+    const FlowComplex complex(rows, {kernel, FacetSearch::kBinary});
     EXPECT_EQ(complex.stable().statistics().n_s2, expected.stable().statistics().n_s2);
     EXPECT_EQ(complex.unstable().statistics().n_u2, expected.unstable().statistics().n_u2);
     ASSERT_EQ(complex.unstable().size(), expected.unstable().size());

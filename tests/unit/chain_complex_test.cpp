@@ -48,7 +48,7 @@ void expect_boundaries(const StationaryPoints& stationary, const UnstableManifol
 }
 
 void expect_boundaries_of(const std::vector<Point>& rows, std::uint64_t seed, Seen& seen) {
-  const FlowComplex complex(PointSet(rows), {.flow = {}, .share = true, .seed = seed});
+  const FlowComplex complex(PointSet(rows), {.seed = seed});
   expect_boundaries(complex.stationary(), complex.unstable(), complex.chains(), seen);
 }
 

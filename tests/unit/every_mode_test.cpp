@@ -165,7 +165,7 @@ struct Made {
   explicit Made(std::vector<Point> of)
       : rows(std::move(of)),
         points(rows),
-        complex(points, {.flow = {}, .threads = 2}),
+        complex(points, {.threads = 2}),
         pockets(complex.merge_trees(), Rational(0)),
         truth(fast_truth(complex)),
         saddle(complex.stationary().critical_counts()[0]),
@@ -245,7 +245,7 @@ void add_flow_complex(Calls& calls, const Made& m) {
   calls.add(
       "FlowComplex::make",
       [&] {
-        FlowComplex complex(m.points, {.flow = {}, .threads = 2});
+        FlowComplex complex(m.points, {.threads = 2});
         for (std::size_t part = 0; part < kFlowComplexParts; ++part) complex.make(static_cast<FlowComplexPart>(part));
         return complex;
       },

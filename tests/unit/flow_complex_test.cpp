@@ -190,7 +190,7 @@ TEST(FlowComplex, PartsWithStagesTellHowFarTheyAre) {
   for (const unsigned threads : {1U, 3U}) {
     std::map<FlowComplexPart, std::size_t> told;
     std::size_t last = 0;
-    const FlowComplex complex(std::span<const Point>(rows), {.flow = {}, .threads = threads},
+    const FlowComplex complex(std::span<const Point>(rows), {.threads = threads},
                               [&](FlowComplexPart part, std::size_t done, std::size_t total) {
                                 if (done == total) return;
                                 EXPECT_LT(done, total);
@@ -327,7 +327,7 @@ TEST(FlowComplex, IsTheSameForAnyNumberOfThreads) {
     for (const FacetSearch search : {FacetSearch::kBinary, FacetSearch::kLinear}) {
       const auto with = [&](unsigned threads) {
         return property::account_of_parts(
-            FlowComplex(std::span(rows), {.flow = {.search = search}, .share = true, .seed = 3, .threads = threads}));
+            FlowComplex(std::span(rows), {.search = search, .seed = 3, .threads = threads}));
       };
       const std::string alone = with(1);
       for (const unsigned threads : {2U, 3U, 8U}) EXPECT_EQ(with(threads), alone) << threads;
@@ -345,7 +345,7 @@ TEST(FlowComplex, IsTheSameForAnyNumberOfThreads) {
 
 TEST(FlowComplex, NoThreadAtAllIsRefused) {
   CITES("FC-NUM-01");
-  EXPECT_THROW(FlowComplex(pyramid(), {.flow = {}, .threads = 0}), std::invalid_argument);
+  EXPECT_THROW(FlowComplex(pyramid(), {.threads = 0}), std::invalid_argument);
 }
 
 TEST(FlowComplex, AProgressThatThrowsStopsAllThreads) {
@@ -356,7 +356,7 @@ TEST(FlowComplex, AProgressThatThrowsStopsAllThreads) {
        {FlowComplexPart::kUnstable, FlowComplexPart::kStable, FlowComplexPart::kLimits, FlowComplexPart::kVolumes}) {
     bool stops = true;
     std::size_t last = 0;
-    const FlowComplex complex(std::span<const Point>(rows), {.flow = {}, .threads = 3},
+    const FlowComplex complex(std::span<const Point>(rows), {.threads = 3},
                               [&](FlowComplexPart part, std::size_t done, std::size_t) {
                                 if (part != stopped) return;
                                 EXPECT_TRUE(done >= last || !stops);

@@ -116,7 +116,7 @@ TEST(LazyKernel, NearTiesAreTheExactKernels) {
 TEST(LazyKernel, LongChainsAreCut) {
   CITES("FC-FLOW-05");
   const PointSet points(rows_of(fuzz::long_cascade(1200, 1)));
-  const FlowComplex complex(points, {.flow = kLazyBinary});
+  const FlowComplex complex(points, kLazyBinary);
   const UnstableManifolds& manifolds = complex.unstable();
   EXPECT_GT(manifolds.statistics().n_wcc.max(), 1000u);
   EXPECT_EQ(manifolds.statistics().depth, 1000u);
@@ -126,7 +126,7 @@ TEST(LazyKernel, LongChainsAreCut) {
 TEST(CascadeKernel, LongChainsStayWhole) {
   CITES("FC-FLOW-05");
   const PointSet points(rows_of(fuzz::long_cascade(1200, 1)));
-  const FlowComplex complex(points, {.flow = {ConstructionKernel::kCascade, FacetSearch::kBinary}});
+  const FlowComplex complex(points, {ConstructionKernel::kCascade, FacetSearch::kBinary});
   const FlowStatistics& statistics = complex.unstable().statistics();
   EXPECT_GT(statistics.n_wcc.max(), 1000u);
   EXPECT_GT(statistics.depth, 1000u);

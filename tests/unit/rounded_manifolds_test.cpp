@@ -23,7 +23,7 @@ using property::rows_of;
 
 class RoundedManifolds {
  public:
-  RoundedManifolds(const std::vector<Point>& rows, FlowComplexOptions options) : complex_(rows, options) {}
+  RoundedManifolds(const std::vector<Point>& rows, FlowOptions options) : complex_(rows, options) {}
 
   // Returns how many numbers were compared.
   std::size_t check() {
@@ -106,7 +106,7 @@ TEST(RoundedManifolds, EveryKernelGivesTheSameDoubles) {
   CITES("FC-NUM-02", "FC-FLOW-07", "FC-STAB-04");
   for (const ConstructionKernel kernel : {ConstructionKernel::kLazy, ConstructionKernel::kExact}) {
     for (const fuzz::Family& family : fuzz::families()) {
-      const FlowComplexOptions options{.flow = {.kernel = kernel}, .share = false};
+      const FlowOptions options{.kernel = kernel, .share = false};
       RoundedManifolds(rows_of(fuzz::draw(family, 5, 12)), options).check();
     }
   }

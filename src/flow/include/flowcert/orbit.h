@@ -6,6 +6,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,9 +35,25 @@ enum class FacetSearch : std::uint8_t {
   kLinear,  // O(n) signs
 };
 
+inline constexpr std::size_t kAnyNumberOfCells = std::numeric_limits<std::size_t>::max();
+
+// How a flow complex is made, and its parts. A part has use for some of these, Flow for the first two. But for the
+// choices where ties are broken, all results are the same whatever they say.
 struct FlowOptions {
   ConstructionKernel kernel = ConstructionKernel::kCascade;
   FacetSearch search = FacetSearch::kBinary;
+  // Without sharing each orbit of U2 is computed alone, from its own Voronoi vertices on, as the paper did. Only the
+  // arrays of facets are common.
+  bool share = true;
+  // The seed of all choices where ties are broken (FC-CHAIN-02); 0 always takes the first way.
+  std::uint64_t seed = 0;
+  // How many threads make a part. Only the cascade kernel, and U2 only with sharing, uses several for the manifolds.
+  // With 1, no thread is started. Each takes memory of its own: 24 bytes a Delaunay cell, and what it meets of facets.
+  // 0 is refused: std::invalid_argument.
+  unsigned threads = 1;
+  // Where there are more Delaunay cells, making the triangulation throws InvalidInput: points on two skew lines have
+  // as many as pairs of points. usual_most_cells() is a limit that no scan and no molecule meets.
+  std::size_t most_cells = kAnyNumberOfCells;
 };
 
 // A step of an orbit (FC-FLOW-02). Contact sets are ascending names.

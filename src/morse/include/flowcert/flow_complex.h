@@ -8,7 +8,6 @@
 
 #include <array>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -22,23 +21,6 @@
 #include "flowcert/unstable_surfaces.h"
 
 namespace flowcert {
-
-inline constexpr std::size_t kAnyNumberOfCells = std::numeric_limits<std::size_t>::max();
-
-struct FlowComplexOptions {
-  FlowOptions flow;
-  // Without sharing each orbit of U2 is computed alone, as the paper did (UnstableOptions).
-  bool share = true;
-  // The seed of all choices where ties are broken (FC-CHAIN-02); 0 always takes the first way.
-  std::uint64_t seed = 0;
-  // How many threads make a part. All results are the same for any number. With the lazy or the exact kernel, one
-  // thread makes the manifolds. With 1, no thread is started. Each takes memory of its own: 24 bytes a Delaunay cell,
-  // and what it meets of facets. 0 is refused: std::invalid_argument.
-  unsigned threads = 1;
-  // Where there are more Delaunay cells, making the triangulation throws InvalidInput: points on two skew lines have
-  // as many as pairs of points. usual_most_cells() is a limit that no scan and no molecule meets.
-  std::size_t most_cells = kAnyNumberOfCells;
-};
 
 // A hundred cells a point, or two million (a gigabyte).
 [[nodiscard]] std::size_t usual_most_cells(std::size_t points);
@@ -70,8 +52,8 @@ class FlowComplex {
   // Computes nothing yet. The second one throws InvalidInput as PointSet does. Whatever rounding mode, flushing of
   // subnormals or traps the calling thread has set, everything is computed with doubles as IEEE 754 says, and the
   // thread has its modes again afterwards. Where that cannot be had, std::runtime_error is thrown.
-  explicit FlowComplex(PointSet points, FlowComplexOptions options = {}, Progress progress = {});
-  explicit FlowComplex(std::span<const Point> rows, FlowComplexOptions options = {}, Progress progress = {});
+  explicit FlowComplex(PointSet points, FlowOptions options = {}, Progress progress = {});
+  explicit FlowComplex(std::span<const Point> rows, FlowOptions options = {}, Progress progress = {});
   ~FlowComplex();
   FlowComplex(FlowComplex&&) noexcept;
   FlowComplex& operator=(FlowComplex&&) noexcept;

@@ -21,14 +21,6 @@
 
 namespace flowcert {
 
-struct StableOptions {
-  FlowOptions flow;
-  // The seed of the choices where ties are broken (FC-CHAIN-02); 0 always takes the first way.
-  std::uint64_t seed = 0;
-  // At least 1. The results are the same for any number. Only the cascade kernel uses several.
-  unsigned threads = 1;
-};
-
 // The backward segments of a stable set in doubles. They come in the order of StableSet::segments.
 struct RoundedSegments {
   struct Position {
@@ -69,10 +61,10 @@ class StableManifolds {
  public:
   // stationary is the list of the same diagram. Both must outlive this. The time is in proportion to the segments of
   // all skeletons.
-  StableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary, StableOptions options = {},
+  StableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary, FlowOptions options = {},
                   const Progress& progress = {});
-  StableManifolds(const VoronoiDiagram&, StationaryPoints&&, StableOptions = {}, const Progress& = {}) = delete;
-  StableManifolds(VoronoiDiagram&&, const StationaryPoints&, StableOptions = {}, const Progress& = {}) = delete;
+  StableManifolds(const VoronoiDiagram&, StationaryPoints&&, FlowOptions = {}, const Progress& = {}) = delete;
+  StableManifolds(VoronoiDiagram&&, const StationaryPoints&, FlowOptions = {}, const Progress& = {}) = delete;
   ~StableManifolds();
   StableManifolds(StableManifolds&&) noexcept;
   StableManifolds& operator=(StableManifolds&&) noexcept;

@@ -17,24 +17,15 @@
 
 namespace flowcert {
 
-struct UnstableOptions {
-  FlowOptions flow;
-  // Without sharing each orbit is computed alone, from its own Voronoi vertices on, as the paper did. Only the arrays
-  // of facets are common.
-  bool share = true;
-  // At least 1. The results are the same for any number. Only the cascade kernel with sharing uses several.
-  unsigned threads = 1;
-};
-
 // Const access is safe from several threads. Each of them flows with arrays of its own.
 class UnstableManifolds {
  public:
   // stationary is the list of the same diagram. Both must outlive this. The time is in proportion to the segments of
   // all orbits; with sharing, only to those of the visited Voronoi vertices.
-  UnstableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary, UnstableOptions options = {},
+  UnstableManifolds(const VoronoiDiagram& diagram, const StationaryPoints& stationary, FlowOptions options = {},
                     const Progress& progress = {});
-  UnstableManifolds(const VoronoiDiagram&, StationaryPoints&&, UnstableOptions = {}, const Progress& = {}) = delete;
-  UnstableManifolds(VoronoiDiagram&&, const StationaryPoints&, UnstableOptions = {}, const Progress& = {}) = delete;
+  UnstableManifolds(const VoronoiDiagram&, StationaryPoints&&, FlowOptions = {}, const Progress& = {}) = delete;
+  UnstableManifolds(VoronoiDiagram&&, const StationaryPoints&, FlowOptions = {}, const Progress& = {}) = delete;
   ~UnstableManifolds();
   UnstableManifolds(UnstableManifolds&&) noexcept;
   UnstableManifolds& operator=(UnstableManifolds&&) noexcept;
