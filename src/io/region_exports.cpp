@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "geometry/floating_point.h"
-#include "geometry/rational_point.h"
 #include "io/corner_numbers.h"
 #include "io/number_text.h"
 #include "io/pyramid_set.h"
@@ -23,24 +22,9 @@ using Samples = std::array<PointId, 2>;
 // Stationary points with a face of dimension 1, by the samples of the face.
 std::map<Samples, std::size_t> records_of_facets(const FlowComplex& complex) {
   const StationaryPoints& stationary = complex.stationary();
-  const PointSet& points = complex.points();
-  const auto is_between = [&](const Samples& samples, const RationalPoint& center) {
-    return geometry::exact_midpoint(points.at_row(samples[0]), points.at_row(samples[1])) == center;
-  };
   std::map<Samples, std::size_t> records;
   for (std::size_t record = 0; record < stationary.size(); ++record) {
-    if (stationary.index(record).face_dimension != 1) continue;
-    const auto contact = stationary.contact(record);
-    if (contact.size() == 2) {
-      records.emplace(Samples{contact[0], contact[1]}, record);
-      continue;
-    }
-    const RationalPoint center = complex.sphere(record).center;
-    for (const PointId p : contact) {
-      for (const PointId q : contact) {
-        if (p < q && is_between({p, q}, center)) records.emplace(Samples{p, q}, record);
-      }
-    }
+    if (stationary.index(record).face_dimension == 1) records.emplace(complex.samples_of(record), record);
   }
   return records;
 }

@@ -75,22 +75,6 @@ Json atoms_field(const AtomNames& atoms, const PointSet& points) {
   return {{"elements", std::move(elements)}, {"element", viewer_blob(element)}, {"names", std::move(names)}};
 }
 
-// The two samples whose midpoint the point is. No other two of its contact set have this midpoint, since it lies inside
-// an edge of their hull.
-std::array<std::uint32_t, 2> edge_of(const ViewerContent& content, std::size_t record) {
-  const auto contact = content.complex.stationary().contact(record);
-  if (contact.size() == 2) return {content.sample(contact[0]), content.sample(contact[1])};
-  const PointSet& points = content.complex.points();
-  const RationalPoint center = content.complex.sphere(record).center;
-  for (std::size_t i = 0; i < contact.size(); ++i) {
-    for (std::size_t j = i + 1; j < contact.size(); ++j) {
-      const std::uint32_t a = content.sample(contact[i]), b = content.sample(contact[j]);
-      if (geometry::exact_midpoint(points[a], points[b]) == center) return {a, b};
-    }
-  }
-  throw std::logic_error("a stationary point on an edge is no midpoint of two samples");
-}
-
 // The page computes the sphere of such a point itself: a midpoint, or the centre of an acute triangle's circle, which
 // doubles give well.
 bool is_plain(const StationaryPoints& stationary, std::size_t record) {
@@ -117,8 +101,11 @@ Json records_field(const ViewerContent& content) {
     }
     for (const PointId name : stationary.contact(record)) contacts.push_back(content.sample(name));
     offsets.push_back(static_cast<std::uint32_t>(contacts.size()));
-    const auto edge = index.face_dimension == 1 ? edge_of(content, record) : std::array{kNone, kNone};
-    edges.insert(edges.end(), edge.begin(), edge.end());
+    if (index.face_dimension == 1) {
+      for (const PointId name : content.complex.samples_of(record)) edges.push_back(content.sample(name));
+    } else {
+      edges.insert(edges.end(), 2, kNone);
+    }
   }
   return {{"numbers", viewer_blob(numbers)},   {"face", viewer_blob(faces)},
           {"hull", viewer_blob(hulls)},        {"positions", viewer_blob(positions)},

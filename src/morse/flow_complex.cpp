@@ -13,6 +13,7 @@
 #include "flow/worker_pool.h"
 #include "geometry/contract.h"
 #include "geometry/floating_point.h"
+#include "geometry/rational_point.h"
 #include "morse/layer.h"
 #include "voronoi/voronoi_diagram.h"
 
@@ -223,6 +224,21 @@ const MergeTrees& FlowComplex::merge_trees() const {
 ExactSphere FlowComplex::sphere(std::size_t record) const {
   const geometry::IeeeDoubles ieee;
   return exact_sphere(points(), stationary().contact(record));
+}
+
+std::array<PointId, 2> FlowComplex::samples_of(std::size_t record) const {
+  const geometry::IeeeDoubles ieee;
+  const auto contact = stationary().contact(record);
+  FLOWCERT_REQUIRES(stationary().index(record).face_dimension == 1);
+  if (contact.size() == 2) return {contact[0], contact[1]};
+  const RationalPoint center = sphere(record).center;
+  for (std::size_t i = 0; i < contact.size(); ++i) {
+    for (std::size_t j = i + 1; j < contact.size(); ++j) {
+      const Point &a = points().at_row(contact[i]), &b = points().at_row(contact[j]);
+      if (geometry::exact_midpoint(a, b) == center) return {contact[i], contact[j]};
+    }
+  }
+  throw std::logic_error("a stationary point on an edge is no midpoint of two samples");
 }
 
 RoundedSphere FlowComplex::rounded_sphere(std::size_t record) const {

@@ -191,6 +191,6 @@ RoundedLambdaList FlowLimits::rounded_list(std::size_t i) const {
 }
 
 std::size_t FlowLimits::point_count() const { return parts_->partition.point_count(); }
-const LimitPartition& FlowLimits::partition() const { return parts_->partition; }
+const LimitPartition& LimitPartition::of(const FlowLimits& limits) { return limits.parts_->partition; }
 
 }  // namespace flowcert

@@ -40,7 +40,7 @@ SpatialPoint spatial(const Point& p) { return {p.x, p.y, p.z}; }
 // What all locators of one diagram share, and does not change.
 struct FlowLocator::Map {
   Map(const VoronoiDiagram& diagram, const StationaryPoints& list, const FlowLimits& limits)
-      : voronoi(diagram), faces(diagram), stationary(list), partition(limits.partition()) {
+      : voronoi(diagram), faces(diagram), stationary(list), partition(LimitPartition::of(limits)) {
     if (faces.dimension() < 3) return;
     neighborhoods.emplace(faces);
     divisions.emplace(faces, partition);

@@ -19,6 +19,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "flowcert/flow_limits.h"
 #include "morse/backward_walk.h"
 #include "morse/facet_sides.h"
 #include "morse/record_face.h"
@@ -64,6 +65,9 @@ class LimitPartition {
   // The diagram and the list must outlive it. It divides everything at once.
   LimitPartition(const VoronoiDiagram& diagram, const StationaryPoints& stationary, const FlowOptions& options,
                  const Progress& progress = {});
+
+  // What these limits were read off.
+  [[nodiscard]] static const LimitPartition& of(const FlowLimits& limits);
 
   // Dimension 3 only.
   [[nodiscard]] Limit limit_of_vertex(CellIndex cluster) const { return of_vertex_[cluster]; }

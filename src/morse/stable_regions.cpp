@@ -18,7 +18,7 @@ struct StableRegions::Parts {
   Parts(const VoronoiDiagram& voronoi, const FlowLimits& all)
       : diagram(voronoi),
         points(voronoi.points()),
-        partition(all.partition()),
+        partition(LimitPartition::of(all)),
         faces(voronoi),
         positions(diagram, partition) {}
 

@@ -61,7 +61,7 @@ struct StableVolumes::Parts {
   Parts(const VoronoiDiagram& voronoi, const StationaryPoints& list, const FlowLimits& all)
       : diagram(voronoi),
         points(voronoi.points()),
-        partition(all.partition()),
+        partition(LimitPartition::of(all)),
         first(list.size() + 1, 0),
         doubles(list.size(), 0) {}
 

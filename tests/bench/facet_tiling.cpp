@@ -172,7 +172,7 @@ class Sums {
  public:
   Sums(const FlowComplex& complex)
       : diagram_(complex.diagram()),
-        partition_(complex.limits().partition()),
+        partition_(LimitPartition::of(complex.limits())),
         faces_(complex.diagram()),
         positions_(diagram_, partition_),
         regions_(complex.stationary().size(), Number(0)),

@@ -87,7 +87,7 @@ TEST(BoundedDivisions, BoundsHoldTheExactNumbers) {
     const int thinness = random.between(0, 26), unit = random.between(-300, 300);
     const FlowComplex complex(plate(30, thinness, unit, random));
     const VoronoiDiagram& diagram = complex.diagram();
-    const LimitPartition& partition = complex.limits().partition();
+    const LimitPartition& partition = LimitPartition::of(complex.limits());
     const BoundedDivisions bounded(diagram, partition);
     ExactDivisions exact(diagram, partition);
     expect_right_points(partition, bounded, exact, count);
@@ -115,7 +115,7 @@ TEST(BoundedDivisions, LargePolygonsAreLeftOpen) {
     }
     for (int other = 0; other < 8; ++other) rows.push_back({coordinate(9), coordinate(9), coordinate(9)});
     const FlowComplex complex(rows);
-    const LimitPartition& partition = complex.limits().partition();
+    const LimitPartition& partition = LimitPartition::of(complex.limits());
     const BoundedDivisions bounded(complex.diagram(), partition);
     ExactDivisions exact(complex.diagram(), partition);
     expect_right_points(partition, bounded, exact, count);

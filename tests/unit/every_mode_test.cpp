@@ -293,6 +293,7 @@ void add_flow_complex(Calls& calls, const Made& m) {
   from_nothing(
       "FlowComplex::merge_trees", [](const Complex& c) { (void)c.merge_trees(); },
       [](const Complex& c) { return c.merge_trees().pockets().parents(); });
+  calls.add("FlowComplex::samples_of", [&] { return m.complex.samples_of(m.complex.limits().record(0)); });
   calls.add("FlowComplex::sphere", [&] { return m.complex.sphere(m.upper); });
   calls.add("FlowComplex::rounded_sphere", [&] { return m.complex.rounded_sphere(m.upper); });
   calls.add("FlowComplex::centers", [&] { return m.complex.centers(); });
@@ -606,7 +607,7 @@ const std::set<std::string> kWithoutDoubles = {
     "Distribution::count", "Distribution::max", "Distribution::mode", "FlowSegment::stays", "type_text", "Flow::tally",
     "StationaryIndex::is_critical", "FlowComplex::points", "FlowComplex::threads", "ChainComplex::boundary",
     "ChainComplex::limits", "ChainComplex::broken_ties", "FlowLimits::size", "FlowLimits::record",
-    "FlowLimits::point_count", "FlowLimits::partition", "FlowLocator::followed", "MergeTree::parents",
+    "FlowLimits::point_count", "FlowLocator::followed", "MergeTree::parents",
     "MergeTrees::pockets", "MergeTrees::components", "MergeTrees::squared_distances", "MergeTrees::stationary",
     "MergeTrees::maxima", "MergeTrees::record_of", "MergeTrees::peaks_above", "MergeTrees::peaks_above_sides",
     "MergeTrees::limits_above", "MergeTrees::saddles_down", "MergeTrees::upper_points_down", "Persistence::pairs",
@@ -617,7 +618,7 @@ const std::set<std::string> kWithoutDoubles = {
     "StableManifolds::has_interval", "StableManifolds::boundary", "StableManifolds::statistics", "StableVolumes::hull",
     "StableVolumes::decided_exactly", "StationaryPoints::size", "StationaryPoints::index", "StationaryPoints::contact",
     "StationaryPoints::critical_counts", "StationaryPoints::regular_counts", "StationaryPoints::euler_sum",
-    "StationaryPoints::face", "StationaryPoints::prefetch", "StationaryPoints::reserve", "StationaryPoints::append",
+    "StationaryPoints::face", "StationaryPoints::prefetch",
     "UnstableManifolds::size", "UnstableManifolds::saddle", "UnstableManifolds::limit",
     "UnstableManifolds::limit_beyond", "UnstableManifolds::statistics", "UnstableSurfaces::size",
     "UnstableSurfaces::record", "verdict_text", "reason_text", "verdict_on", "Truth::size", "Truth::index",

@@ -85,6 +85,9 @@ class FlowComplex {
 
   // Centre and squared radius of a stationary point, by its place in the list.
   [[nodiscard]] ExactSphere sphere(std::size_t record) const;
+  // The two samples whose midpoint it is, where its face has dimension 1 (FC-UNST-01). Names, ascending. The time grows
+  // with the square of its contact set.
+  [[nodiscard]] std::array<PointId, 2> samples_of(std::size_t record) const;
   // The nearest doubles. A number that would overflow is an infinity.
   [[nodiscard]] RoundedSphere rounded_sphere(std::size_t record) const;
   // The doubles nearest to the centres of all stationary points, in the order of the list. A coordinate that would

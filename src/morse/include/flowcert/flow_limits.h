@@ -82,10 +82,9 @@ class FlowLimits {
 
   // Points that separate limits on Voronoi edges.
   [[nodiscard]] std::size_t point_count() const;
-  // For parts of this library.
-  [[nodiscard]] const morse::LimitPartition& partition() const;
 
  private:
+  friend class morse::LimitPartition;
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };

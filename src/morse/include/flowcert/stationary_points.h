@@ -19,6 +19,10 @@
 
 namespace flowcert {
 
+namespace morse {
+class OrderedRecords;
+}  // namespace morse
+
 // How many regular stationary points of each kind there are.
 struct RegularCounts {
   std::size_t kind12 = 0;
@@ -47,18 +51,20 @@ class StationaryPoints {
   // Where the point lies in the diagram that the list was made of (src/morse/record_face.h).
   [[nodiscard]] std::uint32_t face(std::size_t i) const { return face_[i]; }
 
-  // Asks memory for what the list has of a point. Who goes through the list in another order need not wait for it.
+  // Prefetches a point's data, for those who go through the list in another order.
   [[gnu::always_inline]] void prefetch(std::size_t i) const {
     __builtin_prefetch(&index_[i]);
     __builtin_prefetch(&first_[i]);
     __builtin_prefetch(&face_[i]);
   }
 
-  // These build a list. The caller keeps the order; contact is ascending.
+
+ private:
+  friend class morse::OrderedRecords;
+  // The caller keeps the order; contact is ascending.
   void reserve(std::size_t records, std::size_t contacts);
   void append(StationaryIndex index, std::span<const PointId> contact, std::uint32_t face);
 
- private:
   std::vector<StationaryIndex> index_;
   std::vector<std::size_t> first_{0};
   std::vector<PointId> contact_;
