@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "flowcert/length_bound.h"
 #include "flowcert/rational.h"
+#include "morse/length_bound.h"
 
 namespace flowcert_tests {
 

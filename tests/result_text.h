@@ -24,10 +24,10 @@
 #include "flowcert/pockets.h"
 #include "flowcert/read_points.h"
 #include "flowcert/surface.h"
-#include "flowcert/surface_selection.h"
 #include "io/medial_points.h"
 #include "io/pocket_persistence.h"
 #include "io/pocket_surfaces.h"
+#include "io/surface_selection.h"
 #include "io/vtk_exports.h"
 #include "morse/explain.h"
 

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/sphere.h"
 #include "fuzz/judge/hull_volume.h"
 #include "fuzz/judge/root_sum.h"
 #include "fuzz/properties/stable_pieces.h"

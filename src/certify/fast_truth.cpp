@@ -5,7 +5,7 @@
 #include "certify/layer.h"
 #include "certify/truth.h"
 #include "flowcert/flow_complex.h"
-#include "flowcert/surface_area.h"
+#include "flowcert/stable_manifolds.h"
 #include "morse/record_finder.h"
 
 namespace flowcert {

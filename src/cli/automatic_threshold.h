@@ -4,8 +4,8 @@
 #include <string>
 
 #include "cli/layer.h"
-#include "flowcert/length_bound.h"
 #include "io/json_fields.h"
+#include "morse/length_bound.h"
 
 namespace flowcert::cli {
 

@@ -72,7 +72,7 @@ void ExportFiles::write_surfaces(const FlowComplex& complex) {
   SurfaceMesh mesh;
   attempt(kMeshName, [&] {
     ProgressLine progress("exporting stable manifolds");
-    mesh = surface_mesh(complex, SurfaceSelection({}).sets(complex), std::ref(progress));
+    mesh = surface_mesh(complex, selected_sets(complex, {}), std::ref(progress));
     write_file(kMeshName, complex,
                [&](std::ostream& out, const std::string& made_by) { write_ply(out, mesh, made_by); });
   });

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/sphere.h"
 
 namespace flowcert::cli {
 

@@ -12,7 +12,7 @@
 #include "cli/automatic_threshold.h"
 #include "cli/fixed_decimals.h"
 #include "cli/table.h"
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/sphere.h"
 #include "geometry/difference_of_roots.h"
 #include "io/pocket_persistence.h"
 #include "morse/saddle_radii.h"

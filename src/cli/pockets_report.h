@@ -7,9 +7,9 @@
 
 #include "cli/command.h"
 #include "cli/layer.h"
-#include "flowcert/length_bound.h"
 #include "flowcert/pockets.h"
 #include "io/write_pockets.h"
+#include "morse/length_bound.h"
 
 namespace flowcert::cli {
 

@@ -14,10 +14,11 @@
 #include "cli/rough_number.h"
 #include "cli/table.h"
 #include "flowcert/reproducibility.h"
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/sphere.h"
 #include "flowcert/surface.h"
 #include "io/json_fields.h"
 #include "io/output_file.h"
+#include "io/surface_selection.h"
 #include "morse/saddle_radii.h"
 
 namespace flowcert::cli {

@@ -16,7 +16,7 @@
 #include "flow/kernels/steering.h"
 #include "flowcert/flow_statistics.h"
 #include "flowcert/orbit.h"
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/sphere.h"
 #include "voronoi/voronoi_faces.h"
 
 namespace flowcert::flow {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "flowcert/exact_sphere.h"
+#include "flowcert/sphere.h"
 
 namespace flowcert::flow {
 

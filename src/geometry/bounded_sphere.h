@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/sphere.h"
 #include "geometry/bounded_number.h"
 
 namespace flowcert::geometry {

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <optional>
 
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/sphere.h"
 
 namespace flowcert::geometry {
 

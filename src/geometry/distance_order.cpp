@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/sphere.h"
 #include "geometry/filter_bounds.h"
 
 namespace flowcert::geometry {

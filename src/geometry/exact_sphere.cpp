@@ -4,11 +4,10 @@
 // the first such points in the given order are taken. All is computed in integers, on a grid that carries the points.
 // A sum or a product of rationals costs a greatest common divisor, so only the four numbers that come out are
 // reduced.
-#include "flowcert/exact_sphere.h"
-
 #include <stdexcept>
 #include <utility>
 
+#include "flowcert/sphere.h"
 #include "geometry/floating_point.h"
 #include "geometry/integer_grid.h"
 #include "geometry/vector3.h"

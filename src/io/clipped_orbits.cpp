@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/sphere.h"
 #include "geometry/contract.h"
 #include "geometry/rational_point.h"
 

@@ -1,7 +1,7 @@
 // Limits are named by their contact sets, as everywhere.
 #include "io/lambda_fields.h"
 
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/sphere.h"
 
 namespace flowcert::io {
 

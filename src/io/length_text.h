@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "flowcert/length_bound.h"
 #include "io/layer.h"
+#include "morse/length_bound.h"
 
 namespace flowcert::io {
 

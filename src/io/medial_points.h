@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "flowcert/flow_complex.h"
-#include "flowcert/length_bound.h"
+#include "morse/length_bound.h"
 
 namespace flowcert {
 

@@ -11,7 +11,7 @@
 #include <system_error>
 #include <vector>
 
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/sphere.h"
 #include "io/foreign_text.h"
 
 namespace flowcert::io {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "flowcert/flow_complex.h"
-#include "flowcert/length_bound.h"
+#include "morse/length_bound.h"
 
 namespace flowcert {
 

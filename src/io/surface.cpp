@@ -19,6 +19,7 @@
 #include "io/byte_writer.h"
 #include "io/number_text.h"
 #include "io/ply_header.h"
+#include "io/triangle_orientation.h"
 
 namespace flowcert {
 

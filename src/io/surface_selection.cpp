@@ -1,5 +1,5 @@
 // A condition becomes a threshold, and a threshold a place among the radii or lengths in ascending order.
-#include "flowcert/surface_selection.h"
+#include "io/surface_selection.h"
 
 #include <algorithm>
 #include <string_view>
@@ -135,14 +135,15 @@ SelectedSets SurfaceSelection::select(const FlowComplex& complex, const SaddleRa
   return selected;
 }
 
-std::vector<std::size_t> SurfaceSelection::sets(const FlowComplex& complex) const {
+std::vector<std::size_t> selected_sets(const FlowComplex& complex, const std::vector<std::string>& conditions) {
   const geometry::IeeeDoubles ieee;
-  if (radii_below_.empty() && persistence_above_.empty() && !largest_gaps_) {
+  const SurfaceSelection selection(conditions);
+  if (selection.is_empty()) {
     std::vector<std::size_t> all(complex.stationary().critical_counts()[2]);
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+    std::iota(all.begin(), all.end(), std::size_t{0});
     return all;
   }
-  return select(complex).sets;
+  return selection.select(complex).sets;
 }
 
 }  // namespace flowcert

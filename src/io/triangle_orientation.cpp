@@ -5,7 +5,7 @@
 // The code is our own. CGAL's orient_polygon_soup gives vertices of edges that are not manifold new copies, but here
 // two vertices are one iff their positions are equal. CGAL's orientation functions for meshes want no such edges at
 // all. Neither may be included in this layer.
-#include "flowcert/triangle_orientation.h"
+#include "io/triangle_orientation.h"
 
 #include <algorithm>
 #include <utility>

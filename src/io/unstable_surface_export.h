@@ -19,8 +19,9 @@ namespace flowcert {
 
 class UnstableSurfaceExport {
  public:
-  // Makes all sets, or those of these stationary points alone, by place in the list, ascending. The folder must exist. Without a box, parts that reach to infinity are left out. It throws
-  // InvalidInput where a coordinate is beyond the doubles, and OutputError where the folder cannot be written.
+  // Makes all sets, or those of these stationary points alone, by place in the list, ascending. The folder must exist.
+  // Without a box, parts that reach to infinity are left out. It throws InvalidInput where a coordinate is beyond the
+  // doubles, and OutputError where the folder cannot be written.
   UnstableSurfaceExport(const FlowComplex& complex, const std::optional<ClipBox>& box, const std::string& folder,
                         const Progress& progress = {}, const std::vector<std::size_t>* records = nullptr);
   ~UnstableSurfaceExport();

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/sphere.h"
 
 namespace flowcert::io {
 

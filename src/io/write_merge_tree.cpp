@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/sphere.h"
 #include "geometry/floating_point.h"
 #include "io/json_fields.h"
 #include "io/layer.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/sphere.h"
 #include "geometry/difference_of_roots.h"
 #include "geometry/floating_point.h"
 #include "io/layer.h"

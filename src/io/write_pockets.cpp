@@ -3,7 +3,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "flowcert/surface_area.h"
+#include "flowcert/stable_manifolds.h"
 #include "geometry/difference_of_roots.h"
 #include "geometry/floating_point.h"
 #include "io/json_fields.h"

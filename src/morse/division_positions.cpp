@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/sphere.h"
 #include "geometry/rational_point.h"
 
 namespace flowcert::morse {

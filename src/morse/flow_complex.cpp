@@ -14,6 +14,7 @@
 #include "geometry/contract.h"
 #include "geometry/floating_point.h"
 #include "geometry/rational_point.h"
+#include "morse/flow_locator.h"
 #include "morse/layer.h"
 #include "voronoi/voronoi_diagram.h"
 

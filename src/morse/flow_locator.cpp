@@ -1,4 +1,4 @@
-#include "flowcert/flow_locator.h"
+#include "morse/flow_locator.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "flowcert/length_bound.h"
+#include "morse/length_bound.h"
 #include "morse/value_order.h"
 
 namespace flowcert::morse {

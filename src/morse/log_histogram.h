@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "flowcert/length_bound.h"
+#include "morse/length_bound.h"
 #include "morse/value_order.h"
 
 namespace flowcert::morse {

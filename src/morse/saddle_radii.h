@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "flowcert/flow_complex.h"
-#include "flowcert/length_bound.h"
+#include "morse/length_bound.h"
 #include "morse/value_order.h"
 
 namespace flowcert::morse {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "flowcert/exact_sphere.h"
+#include "flowcert/sphere.h"
 #include "geometry/filter_bounds.h"
 #include "geometry/floating_point.h"
 #include "geometry/value_range.h"

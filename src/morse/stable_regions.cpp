@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/sphere.h"
 #include "geometry/floating_point.h"
 #include "geometry/rational_point.h"
 #include "morse/division_positions.h"

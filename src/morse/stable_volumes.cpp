@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/sphere.h"
 #include "geometry/contract.h"
 #include "geometry/floating_point.h"
 #include "geometry/portions.h"

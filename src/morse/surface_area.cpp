@@ -1,9 +1,8 @@
-#include "flowcert/surface_area.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "flowcert/stable_manifolds.h"
 #include "geometry/difference_of_roots.h"
 #include "geometry/floating_point.h"
 #include "geometry/rational_point.h"

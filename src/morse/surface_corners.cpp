@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/sphere.h"
 #include "geometry/rational_point.h"
 #include "morse/unbounded_faces.h"
 

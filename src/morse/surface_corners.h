@@ -10,7 +10,6 @@
 #include <unordered_map>
 #include <vector>
 
-#include "flowcert/rounded_unstable_surface.h"
 #include "flowcert/unstable_surfaces.h"
 #include "morse/forward_walk.h"
 

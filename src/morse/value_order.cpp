@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/sphere.h"
 
 namespace flowcert::morse {
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "complex.h"
 #include "flowcert/surface.h"
@@ -17,13 +16,6 @@ namespace py = pybind11;
 namespace {
 
 // ---- Surfaces ----
-
-std::vector<std::size_t> chosen_sets(const FlowComplex& complex, const std::vector<std::string>& selection) {
-  if (!selection.empty()) return SurfaceSelection(selection).sets(complex);
-  std::vector<std::size_t> all(complex.stationary().critical_counts()[2]);
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  return all;
-}
 
 std::vector<double> distances_of(const SurfaceMesh& mesh) {
   std::vector<double> distances;
@@ -96,7 +88,7 @@ py::tuple Complex::surface(const std::vector<std::string>& selection) const {
   {
     const ReleasedLock released;
     const auto progress = [](std::size_t, std::size_t) { stop_if_interrupted(); };
-    mesh = surface_mesh(complex_, chosen_sets(complex_, selection), progress);
+    mesh = surface_mesh(complex_, selected_sets(complex_, selection), progress);
     saddles = saddles_of(complex_, mesh);
     squared_distances = distances_of(mesh);
   }

@@ -8,8 +8,8 @@
 
 #include "complex.h"
 #include "flowcert/pockets.h"
-#include "flowcert/rounded_sphere.h"
-#include "flowcert/surface_area.h"
+#include "flowcert/sphere.h"
+#include "flowcert/stable_manifolds.h"
 #include "io/pocket_persistence.h"
 #include "numbers.h"
 #include "released_lock.h"

@@ -17,7 +17,7 @@
 #include "flowcert/flow_complex.h"
 #include "flowcert/pockets.h"
 #include "flowcert/read_points.h"
-#include "flowcert/surface_area.h"
+#include "flowcert/stable_manifolds.h"
 #include "geometry/vector3.h"
 #include "voronoi/voronoi_faces.h"
 

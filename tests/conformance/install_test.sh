@@ -5,7 +5,8 @@
 # usage: install_test.sh BUILD_DIR      (a build of this tree, with the library and the program built)
 #
 # The three fenced blocks are those after the lines `<!-- example: cmake -->`, `<!-- example: library -->` and
-# `<!-- example: output -->`. It fails as well when one of them is missing, and when an installed header needs CGAL.
+# `<!-- example: output -->`. It fails as well when one of them is missing, and when an installed header needs CGAL,
+# does not compile, or is reached from no example.
 set -euo pipefail
 root=$(realpath "$(dirname "$0")/../..")
 build=$(realpath "$1")
@@ -48,6 +49,16 @@ headers=$(find "$scratch/prefix/include/flowcert" -name '*.h' | wc -l)
 for header in "$root"/src/*/include/flowcert/*.h; do
   [ -f "$scratch/prefix/include/flowcert/$(basename "$header")" ] || fail "$header is not installed"
 done
+# An example includes each of them, or Python's binding does, itself or by another header.
+included_by() { cat "$@" | sed -n 's/^#include ["<]flowcert\/\([a-z0-9_]*\.h\)[">].*/\1/p' | sort -u; }
+included_by "$scratch/example/example.cpp" "$root"/src/python/*.{h,cpp} >"$scratch/reached"
+while true; do
+  (cd "$scratch/prefix/include/flowcert" && mapfile -t reached <"$scratch/reached" && included_by "${reached[@]}") |
+    sort -u - "$scratch/reached" >"$scratch/further"
+  cmp -s "$scratch/further" "$scratch/reached" && break
+  mv "$scratch/further" "$scratch/reached"
+done
+ls "$scratch/prefix/include/flowcert" | diff - "$scratch/reached" || fail "headers that no example reaches are installed"
 "$scratch/prefix/bin/flowcert" --version >"$scratch/version" || fail "the installed program does not run"
 for file in bash-completion/completions/flowcert zsh/site-functions/_flowcert fish/vendor_completions.d/flowcert.fish \
   man/man1/flowcert.1 man/man1/flowcert-fuzz-merge.1; do
@@ -84,6 +95,7 @@ TEXT
 # Every header that is installed compiles.
 (cd "$scratch/prefix/include/flowcert-generators" && find fuzz -name '*.h') | sed 's/.*/#include "&"/' \
   >"$scratch/generators/headers.cpp"
+(cd "$scratch/prefix/include" && find flowcert -name '*.h') | sed 's/.*/#include "&"/' >>"$scratch/generators/headers.cpp"
 grep -q input_points "$scratch/generators/headers.cpp" || fail "no conversion to the library's points is installed"
 quietly cmake -S "$scratch/generators" -B "$scratch/generators/build" -G Ninja -DCMAKE_PREFIX_PATH="$scratch/prefix" \
   -DCMAKE_CXX_COMPILER="$(cached CMAKE_CXX_COMPILER)" -DCMAKE_CXX_FLAGS="$flags -Wall -Wextra"

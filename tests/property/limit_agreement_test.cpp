@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "flowcert/flow_limits.h"
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/sphere.h"
 #include "fuzz/properties/stable_pieces.h"
 #include "oracle/unstable_set.h"
 #include "tests/cites.h"

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "flowcert/flow_locator.h"
 #include "fuzz/inputs/stable_configurations.h"
 #include "fuzz/properties/orbit_starts.h"
 #include "fuzz/properties/subject.h"
+#include "morse/flow_locator.h"
 #include "oracle/orbit.h"
 #include "tests/cites.h"
 #include "tests/property/orbit_subject.h"

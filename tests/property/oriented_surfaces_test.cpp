@@ -127,7 +127,7 @@ TEST(OrientedSurfaces, ManifoldEdgesArePassedInBothDirections) {
       rc::Random random(static_cast<std::uint64_t>(*rc::gen::inRange(0, 1'000'000).as("dice")));
       const FlowComplex complex(point_set_of(input));
       // All sets, and about half of them.
-      const std::vector<std::size_t> all = SurfaceSelection({}).sets(complex);
+      const std::vector<std::size_t> all = selected_sets(complex, {});
       std::vector<std::size_t> half;
       for (const std::size_t set : all) {
         if (random.next() % 2 == 0) half.push_back(set);

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "flowcert/pockets.h"
-#include "flowcert/surface_area.h"
+#include "flowcert/stable_manifolds.h"
 #include "fuzz/inputs/chambers.h"
 #include "fuzz/judge/root_sum.h"
 #include "geometry/difference_of_roots.h"

@@ -13,11 +13,11 @@
 #include <string>
 #include <vector>
 
-#include "flowcert/surface_selection.h"
 #include "fuzz/inputs/families.h"
 #include "fuzz/properties/stationary_comparison.h"
 #include "geometry/difference_of_roots.h"
 #include "io/coordinate_rounding.h"
+#include "io/surface_selection.h"
 #include "morse/saddle_radii.h"
 #include "tests/cites.h"
 #include "tests/exact_valley.h"
@@ -78,7 +78,7 @@ void require_choice(const fuzz::Input& input, const FlowComplex& complex, const 
                     const IsChosen& is_chosen, ChoicesSeen& seen) {
   const morse::SaddleRadii radii(complex);
   const std::vector<std::size_t> sets = SurfaceSelection({expression}).select(complex, radii).sets;
-  require_none(input, sets == SurfaceSelection({expression}).sets(complex) ? "" : "sets() chooses others", expression);
+  require_none(input, sets == selected_sets(complex, {expression}) ? "" : "selected_sets() chooses others", expression);
   std::vector<std::size_t> expected;
   for (std::size_t i = 0; i < radii.size(); ++i) {
     if (is_chosen(i)) expected.push_back(i);

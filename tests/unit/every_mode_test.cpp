@@ -21,10 +21,9 @@
 
 #include "certify/viewer_claim.h"
 #include "flowcert/connections.h"
-#include "flowcert/length_bound.h"
 #include "flowcert/profile.h"
 #include "flowcert/reproducibility.h"
-#include "flowcert/surface_area.h"
+#include "flowcert/stable_manifolds.h"
 #include "flowcert/write_persistence.h"
 #include "flowcert/write_stationary_points.h"
 #include "io/clip_box.h"
@@ -32,6 +31,7 @@
 #include "io/unstable_surface_export.h"
 #include "io/viewer_page.h"
 #include "io/write_pockets.h"
+#include "morse/length_bound.h"
 #include "morse/stable_regions.h"
 #include "tests/cites.h"
 #include "tests/result_text.h"
@@ -467,10 +467,10 @@ void add_choices(Calls& calls, const Made& m) {
   const std::vector<std::string> words = {"index2-radius<1.7spacing", "persistence>0.001"};
   calls.add(
       "SurfaceSelection::SurfaceSelection", [=] { return SurfaceSelection(words); },
-      [&](const SurfaceSelection& made) { return result_text(made.sets(m.complex)); });
+      [&](const SurfaceSelection& made) { return result_text(made.is_empty()); });
   const SurfaceSelection selection(words);
   calls.add("SurfaceSelection::select", [&, selection] { return selection.select(m.complex); });
-  calls.add("SurfaceSelection::sets", [&, selection] { return selection.sets(m.complex); });
+  calls.add("selected_sets", [&, words] { return selected_sets(m.complex, words); });
   calls.add("coordinates_sha256", [&] { return coordinates_sha256(m.points); });
 }
 
@@ -625,7 +625,7 @@ const std::set<std::string> kWithoutDoubles = {
     "Truth::contact", "pair_counts", "Profile::state", "Profile::set", "Profile::is_exact", "Profile::set_exact",
     "Profile::set_indices", "Profile::join", "Profile::parts", "Profile::grade", "profile_of",
     "require_rows", "sentence_of", "ClipBox::low", "ClipBox::high", "is_exact_pair", "reproducibility", "made_by_text",
-    "PersistenceDiagram::complex",
+    "SurfaceSelection::is_empty", "PersistenceDiagram::complex",
     "PersistenceDiagram::pairs", "PersistenceDiagram::has_zero", "Probe::squared_radius",
     // clang-format on
 };

@@ -10,7 +10,7 @@
 #include <random>
 #include <sstream>
 
-#include "flowcert/surface_area.h"
+#include "flowcert/stable_manifolds.h"
 #include "geometry/difference_of_roots.h"
 #include "io/pocket_persistence.h"
 #include "io/pocket_surfaces.h"

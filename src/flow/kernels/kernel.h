@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "flow/kernels/steering.h"
-#include "flowcert/kernel_tally.h"
+#include "flowcert/flow_statistics.h"
 #include "flowcert/rational.h"
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/sphere.h"
 #include "geometry/contract.h"
 
 namespace flowcert::flow {

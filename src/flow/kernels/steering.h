@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "flow/kernels/layer.h"
-#include "flowcert/kernel_tally.h"
+#include "flowcert/flow_statistics.h"
 #include "flowcert/point_set.h"
 #include "geometry/vector3.h"
 

@@ -7,11 +7,30 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 
-#include "flowcert/kernel_tally.h"
+#include "flowcert/filter_tally.h"
 
 namespace flowcert {
+
+// The signs and constructions that flowing takes. A predicate fails where the kernel's filter (doubles with a bound, or
+// intervals) did not decide. A construction fails where doubles know no bound on its error, or its interval is
+// unbounded.
+enum class FlowPrimitive : std::uint8_t {
+  kSideOfRay,      // <(x-m) ^ (c-m), p0p1>: on which side of the ray a Voronoi vertex lies (paper, Eq. 2, 3)
+  kRayAtInfinity,  // the same for the direction of a Voronoi ray (Eq. 4, 5)
+  kAroundStart,    // order of Voronoi vertices around a start inside its facet
+  kAlongEdge,      // which way along a Voronoi edge
+  kNearerExit,     // which of two neighbours a start in a cell meets first
+  kCircumcenter,   // construction of a Voronoi vertex
+  kCrossing,       // construction of the point where the flow leaves a facet or cell
+};
+inline constexpr std::size_t kFlowPrimitiveCount = 7;
+inline constexpr std::array<const char*, kFlowPrimitiveCount> kFlowPrimitiveNames = {
+    "side_of_ray", "ray_at_infinity", "around_start", "along_edge", "nearer_exit", "circumcenter", "crossing"};
+
+using KernelTally = Tally<FlowPrimitive, kFlowPrimitiveCount>;
 
 // Counts how often each number came.
 class Distribution {

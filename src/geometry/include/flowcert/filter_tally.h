@@ -31,15 +31,18 @@ struct FilterCount {
   friend bool operator==(const FilterCount&, const FilterCount&) = default;
 };
 
-struct FilterTally {
-  std::array<FilterCount, kPredicateCount> counts{};
+// A count for each of n questions.
+template <class Question, std::size_t n>
+struct Tally {
+  std::array<FilterCount, n> counts{};
 
-  FilterCount& operator[](Predicate p) { return counts[static_cast<std::size_t>(p)]; }
-  const FilterCount& operator[](Predicate p) const { return counts[static_cast<std::size_t>(p)]; }
-  FilterTally& operator+=(const FilterTally& other) {
-    for (std::size_t k = 0; k < kPredicateCount; ++k) counts[k] += other.counts[k];
+  FilterCount& operator[](Question q) { return counts[static_cast<std::size_t>(q)]; }
+  const FilterCount& operator[](Question q) const { return counts[static_cast<std::size_t>(q)]; }
+  Tally& operator+=(const Tally& other) {
+    for (std::size_t k = 0; k < n; ++k) counts[k] += other.counts[k];
     return *this;
   }
 };
+using FilterTally = Tally<Predicate, kPredicateCount>;
 
 }  // namespace flowcert

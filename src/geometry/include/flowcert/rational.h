@@ -18,5 +18,7 @@ using RationalPoint = std::array<Rational, 3>;
 
 // The double nearest to the value, ties to even, subnormals included; nothing where that would overflow.
 [[nodiscard]] std::optional<double> nearest_double(const Rational& value);
+// The same, or an infinity of its sign.
+[[nodiscard]] double nearest_or_infinity(const Rational& value);
 
 }  // namespace flowcert

@@ -1,13 +1,14 @@
-// Stable manifolds S2 as one surface: their triangles with shared vertices, and the files. Which of them is asked of
-// surface_selection.h.
+// Stable manifolds S2 as one surface: which of them, their triangles with shared vertices, and the files.
 //
 // Guarantees: two triangles share a vertex iff the exact positions are equal, whatever the doubles. Coordinates are
 // the doubles nearest to the exact ones. Each backward segment gives two triangles (spec clause FC-STAB-04); parts of
-// dimension 3 give none. Triangles have one orientation where they can (triangle_orientation.h); a surface of several
-// S2 is no manifold in general.
+// dimension 3 give none. Neighbours have one orientation where that is possible; a surface of several S2 is no
+// manifold in general.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <ostream>
 #include <span>
@@ -16,10 +17,28 @@
 
 #include "flowcert/flow_complex.h"
 #include "flowcert/progress.h"
-#include "flowcert/surface_selection.h"
-#include "flowcert/triangle_orientation.h"
 
 namespace flowcert {
+
+// The critical points of index 2 that make a surface, by number in StableManifolds, ascending. All conditions have to
+// hold (src/cli/manual/surfaces.md): "index2-radius<R" (its distance, not squared), "persistence>X" (the length of the
+// pair that it is in, a difference of distances), "largest-gaps=N" (the N most persistent ones; of equal ones the first
+// in the list). R and X may also be "3spacing" (a multiple of the samples' spacing), "q0.9" (a quantile of all) or
+// "auto" (the valley of their histogram). Decided exactly. Throws InvalidInput for anything else. Conditions on
+// persistence make the whole complex.
+[[nodiscard]] std::vector<std::size_t> selected_sets(const FlowComplex& complex,
+                                                     const std::vector<std::string>& conditions);
+
+using Triangle = std::array<std::uint32_t, 3>;  // of numbers of vertices
+
+// An edge of exactly two triangles is manifold. Manifold edges join triangles to components.
+struct TriangleEdges {
+  std::size_t boundary = 0;             // edges of one triangle
+  std::size_t manifold = 0;             // of two
+  std::size_t non_manifold = 0;         // of more
+  std::size_t components = 0;           // of triangles
+  std::size_t without_orientation = 0;  // of these components, those that have none
+};
 
 struct SurfaceMesh {
   std::vector<Point> vertices;

@@ -34,7 +34,7 @@ struct RecordsToWrite {
   bool sheets = false;
 };
 
-// progress, if given, is told now and then how many records are written. The stream's state tells whether all was
+// progress, if given, is called now and then with how many records are written. The stream's state says whether all was
 // written. Each record takes a few microseconds for its rationals. Polylines, skeletons, λ-lists,
 // exact volumes and sheets take the time for all their exact numbers. Each thread has one unstable set in memory.
 void write_stationary_points(std::ostream& out, const FlowComplex& complex, const RecordsToWrite& wanted = {},

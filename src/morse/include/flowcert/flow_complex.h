@@ -9,14 +9,14 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "flowcert/exact_sphere.h"
-#include "flowcert/flow_locator.h"
+#include "flowcert/flow_limits.h"
 #include "flowcert/merge_trees.h"
 #include "flowcert/persistence.h"
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/sphere.h"
 #include "flowcert/stable_volumes.h"
 #include "flowcert/unstable_surfaces.h"
 
@@ -41,12 +41,21 @@ enum class FlowComplexPart : std::uint8_t {
 };
 inline constexpr std::size_t kFlowComplexParts = 11;
 
+// Where a position flows to.
+struct FlowPlace {
+  // Where the orbit ends: a place in the list of stationary points. Nothing if it goes to infinity.
+  std::optional<std::size_t> limit;
+  std::vector<PointId> nearest;  // the names of all nearest samples, ascending
+
+  friend bool operator==(const FlowPlace&, const FlowPlace&) = default;
+};
+
 class FlowComplex {
  public:
-  // Each part tells at last that all of it is done. Chains, persistence, unstable surfaces and merge trees also tell that they
-  // begin. All other parts tell now and then how much is done, from any of the threads that make them, one at a time.
-  // Two threads call it at once if they make different parts. It may throw to stop; the part is then made when it is
-  // asked for again. It must not ask the complex for anything.
+  // Called when a part is done. For chains, persistence, unstable surfaces and merge trees it is also called when they
+  // begin, for all other parts now and then, from any of the threads that make them, one at a time. Two threads call it
+  // at once if they make different parts. It may throw to stop; the part is then made when it is asked for again. It
+  // must not ask the complex for anything.
   using Progress = std::function<void(FlowComplexPart part, std::size_t done, std::size_t total)>;
 
   // Computes nothing yet. The second one throws InvalidInput as PointSet does. Whatever rounding mode, flushing of
@@ -98,8 +107,9 @@ class FlowComplex {
   [[nodiscard]] Orbit orbit(const RationalPoint& start) const;
   // The end of that orbit alone, which takes less time (Flow::limit).
   [[nodiscard]] std::optional<StationaryLimit> limit(const RationalPoint& start) const;
-  // The same end, as a place in the list, and the nearest samples (FlowLocator::locate). The first call makes the
-  // limits, which takes longer than a few calls of limit(); every further call takes microseconds.
+  // The same end, as a place in the list, and the nearest samples. The first call makes the limits, which takes longer
+  // than a few calls of limit(); every further call takes microseconds. Throws InvalidInput for an empty point set, and
+  // for coordinates that are not finite.
   [[nodiscard]] FlowPlace locate(const RationalPoint& x) const;
   [[nodiscard]] FlowPlace locate(const Point& x) const;
   // The first segment of that orbit (Flow::step).

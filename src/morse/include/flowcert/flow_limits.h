@@ -21,12 +21,14 @@ class LimitPartition;
 }  // namespace morse
 
 // The directions of a stationary point, by where they lead (FC-UNST-01, 02). Arcs and single directions take turns.
-struct LambdaList {
+// X is the type of a position.
+template <class X>
+struct BasicLambdaList {
   struct Direction {
     std::optional<std::size_t> limit;  // a place in the list of stationary points; nothing for infinity
     // Where the ray of the direction leaves the closed Voronoi face. If it never does, this is a vector along it, whose
     // greatest coordinate is 1 or -1. No cycle has such a direction.
-    RationalPoint exit;
+    X exit;
     bool is_vector = false;
   };
   // Counterclockwise, seen from the sample with the greater name. A critical point of index 1 has a cycle, which begins
@@ -38,16 +40,8 @@ struct LambdaList {
   std::vector<std::optional<std::size_t>> arcs;
 };
 
-// A LambdaList in doubles.
-struct RoundedLambdaList {
-  struct Direction {
-    std::optional<std::size_t> limit;
-    Point exit;
-    bool is_vector = false;
-  };
-  std::vector<Direction> directions;
-  std::vector<std::optional<std::size_t>> arcs;
-};
+using LambdaList = BasicLambdaList<RationalPoint>;
+using RoundedLambdaList = BasicLambdaList<Point>;
 
 // Const access is safe from several threads.
 class FlowLimits {

@@ -1,8 +1,8 @@
-// Pockets: the stable sets of maxima, merged by persistence, and what leads out of them (spec clauses FC-POCK-01 to 09).
+// Pockets: the stable sets of maxima, merged by persistence, and what leads out of them.
 //
 // Guarantees: exact, on every input. Infinity counts as a maximum without end, and its pocket is the outside. Neither
-// ids nor the order of the input decide. Stationary points are told by their places in the list. Source: spec section
-// 15.
+// ids nor the order of the input decide. Numbers of stationary points are places in the list. Source: spec section 15
+// (clauses FC-POCK).
 #pragma once
 
 #include <cstddef>

@@ -16,7 +16,7 @@
 #include "flowcert/orbit.h"
 #include "flowcert/pieces.h"
 #include "flowcert/progress.h"
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/sphere.h"
 #include "flowcert/stationary_points.h"
 
 namespace flowcert {
@@ -97,6 +97,11 @@ class StableManifolds {
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
+
+// The area of the triangles which the backward segments of the i-th set of `stable` stand for (FC-STAB-04, FC-POCK-04):
+// two of one area for each, one with each of its samples. A relative error of at most 2^-40; an infinity where it would
+// overflow. O(segments).
+[[nodiscard]] double surface_area(const PointSet& points, const StableManifolds& stable, std::size_t i);
 
 // The connecting orbits of a stable set: how its stationary point and the critical points of index 1 are
 // joined (FC-STAB-06; paper, section 6: their lengths are n_S2).

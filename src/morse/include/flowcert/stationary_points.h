@@ -11,9 +11,9 @@
 #include <span>
 #include <vector>
 
-#include "flowcert/exact_sphere.h"
 #include "flowcert/point_set.h"
 #include "flowcert/progress.h"
+#include "flowcert/sphere.h"
 #include "flowcert/stationary_index.h"
 #include "flowcert/voronoi_diagram.h"
 
@@ -58,7 +58,6 @@ class StationaryPoints {
     __builtin_prefetch(&face_[i]);
   }
 
-
  private:
   friend class morse::OrderedRecords;
   // The caller keeps the order; contact is ascending.
@@ -74,7 +73,6 @@ class StationaryPoints {
 };
 
 // O(cells), and sorting what is cospherical. The list is the same for any number of threads, which is at least 1.
-// The progress is told as VoronoiDiagram tells it.
 [[nodiscard]] StationaryPoints stationary_points(const VoronoiDiagram& diagram, unsigned threads = 1,
                                                  const Progress& progress = {});
 

@@ -12,7 +12,7 @@
 
 #include "flowcert/orbit.h"
 #include "flowcert/progress.h"
-#include "flowcert/rounded_sphere.h"
+#include "flowcert/sphere.h"
 #include "flowcert/stationary_points.h"
 
 namespace flowcert {
@@ -35,7 +35,7 @@ class UnstableManifolds {
   // Where the i-th of them is in the list.
   [[nodiscard]] std::size_t saddle(std::size_t i) const;
   // Where the orbit that leaves it on side 0 or 1 ends, by place in the list; nothing for infinity. The plane through
-  // the saddle's contact points a < b < c < ... tells the sides apart: (b-a) x (c-a) points to side 1.
+  // the saddle's contact points a < b < c < ... says which side is which: (b-a) x (c-a) points to side 1.
   [[nodiscard]] std::optional<std::size_t> limit(std::size_t i, std::size_t side) const;
   // The end of the flow that leaves a stationary point of index 2, or a regular one, along a Voronoi edge
   // (FC-CHAIN-02). There are one or two ways; the choice is counted modulo their number. The answer is a place in the

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "flowcert/flow_complex.h"
-#include "flowcert/length_bound.h"
+#include "morse/length_bound.h"
 
 namespace flowcert {
 
@@ -36,19 +36,15 @@ struct SelectedSets {
 // the sharpest one decides.
 class SurfaceSelection {
  public:
-  // Expressions (src/cli/manual/surfaces.md): "index2-radius<R" (its distance, not squared), "persistence>X" (the
-  // length of the pair that it is in, a difference of distances), "largest-gaps=N" (the N most persistent ones; of
-  // equal ones the first in the list). R and X may also be "3spacing" (a multiple of the samples' spacing), "q0.9" (a
-  // quantile of all) or "auto" (the valley of their histogram). Numbers are read exactly. Throws InvalidInput for
-  // anything else.
+  // Conditions, as selected_sets() takes them (flowcert/surface.h).
   explicit SurfaceSelection(const std::vector<std::string>& expressions);
 
   // Conditions on persistence need the whole complex.
   [[nodiscard]] SelectedSets select(const FlowComplex& complex) const;
   // With radii of the same complex, for parts of this library that have them.
   [[nodiscard]] SelectedSets select(const FlowComplex& complex, const morse::SaddleRadii& radii) const;
-  // The chosen points alone, by number in StableManifolds, ascending.
-  [[nodiscard]] std::vector<std::size_t> sets(const FlowComplex& complex) const;
+  // Whether it chooses all of them, without a condition.
+  [[nodiscard]] bool is_empty() const { return radii_below_.empty() && persistence_above_.empty() && !largest_gaps_; }
 
  private:
   class Lengths;

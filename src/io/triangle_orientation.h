@@ -6,22 +6,12 @@
 // answer depends on the triangles and their order alone.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 
+#include "flowcert/surface.h"
+
 namespace flowcert {
-
-using Triangle = std::array<std::uint32_t, 3>;  // of numbers of vertices
-
-struct TriangleEdges {
-  std::size_t boundary = 0;             // edges of one triangle
-  std::size_t manifold = 0;             // of two
-  std::size_t non_manifold = 0;         // of more
-  std::size_t components = 0;           // of triangles
-  std::size_t without_orientation = 0;  // of these components, those that have none
-};
 
 // The vertices of a triangle are three different numbers below `vertices`. There are fewer than 2^31 triangles.
 // O(n log n) for n triangles at one vertex.

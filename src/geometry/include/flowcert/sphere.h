@@ -1,8 +1,10 @@
 // The smallest sphere through a cospherical set of points.
 //
-// Guarantees: exact. Source: spec clause FC-CRIT-02.
+// Guarantees: exact, or rounded as nearest_or_infinity() rounds. Doubled doubles with proven bounds decide most rounded
+// numbers, exact numbers the others. Source: spec clause FC-CRIT-02.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "flowcert/point_set.h"
@@ -19,5 +21,15 @@ struct ExactSphere {
 [[nodiscard]] ExactSphere exact_sphere(const PointSet& points, std::span<const PointId> contact);
 // Its squared radius alone, which takes less time.
 [[nodiscard]] Rational exact_squared_radius(const PointSet& points, std::span<const PointId> contact);
+
+struct RoundedSphere {
+  Point center;
+  double squared_radius = 0;
+};
+[[nodiscard]] RoundedSphere rounded_sphere(const ExactSphere& sphere);
+// rounded_sphere(exact_sphere(points, contact)). hull_dimension: that of the contact set's affine hull.
+[[nodiscard]] RoundedSphere rounded_sphere(const PointSet& points, std::span<const PointId> contact,
+                                           std::size_t hull_dimension);
+[[nodiscard]] Point rounded_point(const RationalPoint& x);
 
 }  // namespace flowcert

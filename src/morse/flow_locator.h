@@ -9,20 +9,10 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
-#include <vector>
 
-#include "flowcert/flow_limits.h"
+#include "flowcert/flow_complex.h"
 
 namespace flowcert {
-
-struct FlowPlace {
-  // Where the orbit ends: a place in the list of stationary points. Nothing if it goes to infinity.
-  std::optional<std::size_t> limit;
-  std::vector<PointId> nearest;  // the names of all nearest samples, ascending
-
-  friend bool operator==(const FlowPlace&, const FlowPlace&) = default;
-};
 
 // Not to be used from two threads at once. Several may use one FlowLimits.
 class FlowLocator {
