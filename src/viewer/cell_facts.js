@@ -3,8 +3,8 @@
 
 import { area_of } from './cells.js';
 import { clickable_row } from './clickable_row.js';
-import { none } from './complex.js';
 import { element } from './element.js';
+import { none } from './point_numbers.js';
 import { count_text } from './words.js';
 
 const most_listed = 24;

@@ -3,7 +3,7 @@
 // nine for a triangle and six for a line, so that nothing is shared with other layers.
 
 import { decode_all } from './blobs.js';
-import { none } from './complex.js';
+import { none } from './point_numbers.js';
 
 export async function load_cells(data) {
   const [parts, faces, u1] = await Promise.all([

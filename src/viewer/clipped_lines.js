@@ -2,7 +2,7 @@
 // The data end each line at its first vertex outside; here it is cut.
 // Lines that meet share what follows, and each shared segment is drawn once.
 
-import { none } from './complex.js';
+import { none } from './point_numbers.js';
 
 const most = 3;
 

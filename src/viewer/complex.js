@@ -11,12 +11,8 @@ import { load_cells } from './cells.js';
 import { exact_sphere } from './exact_sphere.js';
 import { fill_records, line_vertices } from './plain_points.js';
 import { load_pockets } from './pockets.js';
+import { none, regular_kind } from './point_numbers.js';
 import { in_input_units, short_scaled } from './words.js';
-
-export const none = 0xffffffff;
-
-// Kinds of points: the index, or 4 for regular stationary.
-export const regular_kind = 4;
 
 // sqrt(a) - sqrt(b), with the digits that a difference of near numbers loses.
 const difference_of_roots = (a, b) =>

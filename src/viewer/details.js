@@ -4,10 +4,10 @@
 // Other points that are named are buttons that pick them.
 
 import { neighbour_table, surface_line, volume_row } from './cell_facts.js';
-import { none } from './complex.js';
 import { element, fill, glyph } from './element.js';
 import { is_normal, nearest_double, rational_text } from './exact_sphere.js';
 import { pocket_facts } from './pocket_facts.js';
+import { none } from './point_numbers.js';
 import { clauses, count_text, digits_of, kind_name, point_name, row_text, shortened } from './words.js';
 
 const most_listed = 24;

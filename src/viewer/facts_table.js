@@ -3,9 +3,9 @@
 // A row picks its point, wherever it is clicked.
 
 import { clickable_row } from './clickable_row.js';
-import { none } from './complex.js';
 import { element, fill } from './element.js';
 import { nearest_double } from './exact_sphere.js';
+import { none } from './point_numbers.js';
 import { count_text, point_name, row_text, short_kind } from './words.js';
 
 const rows_a_page = 20;

@@ -3,8 +3,8 @@
 // of these points. `value_at` and `part_of` join the slider below to the same axis. Values are in the frame, and are
 // written in input units.
 
-import { none } from './complex.js';
 import { Scale, fresh_context } from './plot.js';
+import { none } from './point_numbers.js';
 import { RectangleBrush } from './rectangle_brush.js';
 import { count_text } from './words.js';
 

@@ -5,7 +5,6 @@
 
 import { fills_space } from './atoms.js';
 import { copy_text } from './clipboard.js';
-import { none } from './complex.js';
 import { Details } from './details.js';
 import { element, fill, glyph } from './element.js';
 import { FactsTable } from './facts_table.js';
@@ -18,6 +17,7 @@ import { PersistenceDiagram } from './persistence_diagram.js';
 import { save_picture } from './picture_file.js';
 import { PocketTable } from './pocket_facts.js';
 import { deepest_peak } from './pockets.js';
+import { none } from './point_numbers.js';
 import { ComplexScene } from './scene.js';
 import { State } from './state.js';
 import { about_lines, notice_lines, shown_name, summary } from './statements.js';

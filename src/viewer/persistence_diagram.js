@@ -2,8 +2,8 @@
 // strip at the top. Colour and shape tell the dimension. A rectangle brushes pairs, a click picks the nearest one.
 // A few thousand pairs are drawn as marks, more as pixels, so that 100,000 pairs are there at once.
 
-import { none } from './complex.js';
 import { Scale, fitting_text, fresh_context } from './plot.js';
+import { none } from './point_numbers.js';
 import { RectangleBrush } from './rectangle_brush.js';
 
 const margin = { left: 56, right: 10, top: 10, bottom: 36 };

@@ -2,7 +2,7 @@
 // Points behind what is hit are not seen, and are not picked. All on typed arrays, without the GPU.
 
 import { Matrix4, Vector3 } from 'three';
-import { none } from './complex.js';
+import { none } from './point_numbers.js';
 
 // The first triangle along a ray, in the frame: {set, distance} or null.
 function hit_triangle(mesh, origin, direction) {

@@ -2,10 +2,10 @@
 // `button` makes what picks a point by its number in the program's list.
 
 import { clickable_row } from './clickable_row.js';
-import { none } from './complex.js';
 import { element, fill } from './element.js';
 import { near_root } from './exact_sphere.js';
 import { mouths_by_radius, pockets_at } from './pockets.js';
+import { none } from './point_numbers.js';
 import { count_text, short_number } from './words.js';
 
 const most_listed = 24;

@@ -4,7 +4,7 @@
 
 import { decode_all } from './blobs.js';
 import { positions, triangles_of } from './cells.js';
-import { none } from './complex.js';
+import { none } from './point_numbers.js';
 
 const lists = ['peaks', 'maxima', 'cell', 'mouths', 'neighbours'];
 const mesh = ['triangle_offsets', 'triangles', 'vertices'];

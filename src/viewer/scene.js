@@ -7,13 +7,13 @@ import { BufferAttribute, BufferGeometry, Group, PerspectiveCamera, Points, Scen
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { BallsAndSticks } from './balls_and_sticks.js';
 import { ClippedLines } from './clipped_lines.js';
-import { none } from './complex.js';
 import { discard } from './discard.js';
 import { LineLayer } from './line_layer.js';
 import { pick, pixel_of } from './picking.js';
 import { PocketMark } from './pocket_mark.js';
 import { pockets_at } from './pockets.js';
 import { PointCloud, paint_points, point_material } from './point_cloud.js';
+import { none } from './point_numbers.js';
 import { make_renderer } from './renderer.js';
 import { counts_by_kind, fitting_sets, most, shown } from './shown.js';
 import { spanned_polygons } from './spanned_polygons.js';

@@ -4,7 +4,7 @@
 // The thinned view, unless pairs are brushed, keeps at most `most` of each. What has the shortest persistence is left
 // out first, and is counted.
 
-import { none, regular_kind } from './complex.js';
+import { none, regular_kind } from './point_numbers.js';
 
 export const most = { triangles: 100000, points: 20000, lines: 5000 };
 

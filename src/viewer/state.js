@@ -1,7 +1,7 @@
 // What the user chose: layers, threshold, brushed pairs, the picked point, how much detail. One object, one event.
 // Every change goes through `change`, which tells all listeners what changed: {threshold, layers, brush, picked, ...}.
 
-import { none } from './complex.js';
+import { none } from './point_numbers.js';
 
 export class State {
   constructor(layers) {

@@ -3,9 +3,9 @@
 // triangles by theirs. Distances, their squares and persistence are in the frame.
 
 import { Vector3 } from 'three';
-import { none } from './complex.js';
 import { rational_text } from './exact_sphere.js';
 import { group_of } from './findings.js';
+import { none } from './point_numbers.js';
 import { most } from './shown.js';
 
 export function test_interface(page) {

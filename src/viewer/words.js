@@ -1,6 +1,6 @@
 // Numbers and names as people read them, and the clauses of the specification that the page quotes.
 
-import { none, regular_kind } from './complex.js';
+import { none, regular_kind } from './point_numbers.js';
 
 export const count_text = (count) => count.toLocaleString('en-US');
 

@@ -26,11 +26,12 @@ The package is free software under the GNU General Public License, version 3 or 
 are.
 """
 
-from ._check import CheckReport, Finding, check
+from ._check import check
 from ._core import made_by as __made_by__
 from ._core import version as __version__
 from ._flow_complex import FlowComplex
 from ._generate import families, generate
+from ._judge import CheckReport, Finding
 from ._limits import Direction, LambdaList
 from ._manifolds import Lines, Mesh, Surfaces
 from ._orbit import Limit, Orbit, Segment

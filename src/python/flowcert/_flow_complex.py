@@ -9,7 +9,7 @@ from typing import Any, Dict, Iterable, List, Optional, Tuple, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _check, _core, _exact
+from . import _core, _exact, _judge
 from ._limits import LambdaList, lambda_list_of
 from ._manifolds import Lines, Mesh, Surfaces
 from ._orbit import Orbit, Position, orbit_of
@@ -409,9 +409,9 @@ class FlowComplex:
         """
         return self._core.is_morse_smale()
 
-    def check(self, claim: Any, **options: Any) -> "_check.CheckReport":
+    def check(self, claim: Any, **options: Any) -> _judge.CheckReport:
         """Whether a claim about these points is right: flowcert.check(points, claim), which says more."""
-        return _check.check(self, claim, **options)
+        return _judge.check(self._core, claim, **options)
 
     def _place(self, i: int) -> int:
         """As the library takes it, which says the rest of what is wrong."""
