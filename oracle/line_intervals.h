@@ -28,7 +28,7 @@ std::vector<Interval> components(std::vector<Interval> intervals);
 // Whether the open interval with these ends, or the point, is in one of the components.
 bool covers(const std::vector<Interval>& components, const Interval& part);
 
-// What is left of the components in the first list, as open intervals. Single points that are left are not told.
+// What is left of the components in the first list, as open intervals. Single points that are left are not listed.
 std::vector<Interval> open_remainder(const std::vector<Interval>& of, const std::vector<Interval>& without);
 
 }  // namespace oracle

@@ -1,6 +1,6 @@
 // The merge trees of the distance function: of its maxima and infinity, and of the samples (FC-TREE-01 to 06).
 //
-// The first one tells how the components of {d^2 > a} come together as a falls. It is made from the Voronoi graph, so
+// The first one says how the components of {d^2 > a} come together as a falls. It is made from the Voronoi graph, so
 // that no flow and no persistence enters. The second one does it for {d^2 <= a} as a grows. It is made from the
 // distances of all pairs of samples. Any number of components may come together at one value. Exact.
 #pragma once

@@ -54,7 +54,7 @@ struct Discovery {
 [[nodiscard]] nlohmann::json json_of(const Discovery& discovery);
 [[nodiscard]] Discovery discovery_of(const nlohmann::json& object);
 
-// An observer is told what happens in a batch, as it happens. It may stop the batch.
+// An observer is called with what happens in a batch, as it happens. It may stop the batch.
 class BatchObserver {
  public:
   virtual ~BatchObserver() = default;

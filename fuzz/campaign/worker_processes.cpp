@@ -463,7 +463,7 @@ class Work {
     add_worker(crash);
   }
 
-  // Returns nothing if, as far as can be told, the case was not the reason.
+  // Returns nothing if the case seems not to be the reason.
   std::optional<Crash> crash_of_end(const Worker& worker, int status) {
     const std::string how = WIFSIGNALED(status) ? text_of_signal(status) : "the process ended by itself";
     if (worker.hanging_at) {

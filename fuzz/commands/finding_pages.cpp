@@ -38,7 +38,7 @@ void write_page(const fuzz::Counterexample& counterexample, const std::filesyste
     file.stream() << page;
     file.commit();
   } catch (const std::exception&) {
-    // What is thrown is a finding already, or the disk is full, which the point files tell.
+    // What is thrown is a finding already, or the disk is full, which shows in the point files.
   }
 }
 

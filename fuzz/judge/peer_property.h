@@ -2,7 +2,7 @@
 //
 // Guarantees: those of command_run.h and flowcert/check.h: however the command ends, there is a verdict, and
 // what the claim is free to say is permitted. The kind of a disagreement is how the run ended ("signal",
-// "time-limit", "refusal", "unreadable", "not-started"), or the reason of the finding that tells most
+// "time-limit", "refusal", "unreadable", "not-started"), or the reason of the finding that says most
 // ("missed-by-cluster", "wrong-pair"). The claim is judged in the same way whether the command is started for each
 // input or asked case after case (case_dialogue.h).
 #pragma once

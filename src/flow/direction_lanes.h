@@ -30,7 +30,7 @@ class DirectionLanes {
   [[nodiscard]] bool is_known(std::size_t lane) const { return error_[lane] < 1; }
 
   // The lane's point leaves its facet by the bisector of q. The next facet's edge has q, and one end of this facet's.
-  // Then the triangle of the three tells all that the crossing needs.
+  // Then the crossing needs the triangle of the three alone.
   void ask_crossing(std::size_t lane, bool keeps_p0, const Point& q, bool ends_at_q) {
     q_.put(lane, q);
     keeps_p0_[lane] = keeps_p0 ? 1 : 0;

@@ -57,7 +57,7 @@ FacetName doubly_obtuse_edge(const VoronoiDiagram& diagram, const Boundary& boun
   return {twice->first, twice->second};
 }
 
-// A Voronoi vertex of one cell. Its four facets are its polytope's polygons, and the cell's signs tell all of them.
+// A Voronoi vertex of one cell. Its four facets are its polytope's polygons, and the cell has the signs of all of them.
 VertexFlow lone_vertex_flow(const VoronoiDiagram& diagram, CellIndex cell) {
   const VoronoiComplex& complex = diagram.complex();
   const TetrahedronSigns& signs = complex.signs(cell);

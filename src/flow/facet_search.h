@@ -64,7 +64,7 @@ class RingQuery {
   };
 
   // x lies on the boundary, and the ray enters the facet there. Counterclockwise from x on, the elements first lie
-  // clockwise of the ray, then counterclockwise of it. The first one that does not lie clockwise tells the exit.
+  // clockwise of the ray, then counterclockwise of it. The first one that does not lie clockwise is at the exit.
   // `first` is the element that follows x. `count` is the number of elements from there up to x again, without the
   // last one, which is known to lie counterclockwise.
   [[nodiscard]] Exit from_boundary(FacetSearch search, std::size_t first, std::size_t count) {
@@ -129,8 +129,8 @@ class RingQuery {
            kernel_.sign(BeforePoint{x, p0, p1, c}) == Sign::kPositive;
   }
 
-  // Goes around x from a reference vertex, and counts angles counterclockwise from it. One sign tells whether the
-  // ray's angle lies in (0, pi), in (pi, 2 pi), or is 0 or pi. Two signs then tell whether an element comes before
+  // Goes around x from a reference vertex, and counts angles counterclockwise from it. One sign decides whether the
+  // ray's angle lies in (0, pi), in (pi, 2 pi), or is 0 or pi. Two signs then decide whether an element comes before
   // the ray.
   [[nodiscard]] Exit by_angle(std::size_t reference) {
     const PointNumber start = centers_(ring_.pieces[reference].vertex);

@@ -1,4 +1,4 @@
-// A flow step as the public interface tells it: letters, names of samples, exact coordinates.
+// A flow step as the public interface has it: letters, names of samples, exact coordinates.
 #pragma once
 
 #include <vector>

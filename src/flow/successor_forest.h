@@ -87,7 +87,7 @@ class SuccessorForest {
   std::vector<ForestEnd> ends_;
   std::vector<std::uint32_t> stretch_of_;  // by cluster
   std::vector<std::uint32_t> pending_;     // stretches whose total is not known yet
-  // What count() tells of all points that were constructed.
+  // What count() reports of all points that were constructed.
   Distribution exact_bytes_;
   std::size_t depth_ = 0;
 };

@@ -14,7 +14,7 @@ namespace {
 // Whether all modes are those of a fresh thread. Where there is no fast way to look, the answer is no.
 bool has_usual_modes() {
 #if defined(__SSE2__) && defined(__x86_64__)
-  // The six lowest bits of the register tell what has happened, and are no mode.
+  // The six lowest bits of the register say what has happened, and are no mode.
   constexpr unsigned kUsualSse = 0x1f80, kHappened = 0x3f;
   constexpr unsigned short kUsualX87 = 0x37f;
   unsigned short x87 = 0;

@@ -110,7 +110,7 @@ struct OutsideCircle {
     return std::array{between(q, p0), between(q, p1), between(r, p0), between(r, p1)};
   }
   // The sign is that of cot(q) + cot(r), over the common denominator. Both cross products are along the plane's
-  // normal, with opposite signs, so the same coordinate of both tells their lengths.
+  // normal, with opposite signs, so the same coordinate of both gives their lengths.
   template <class Number>
   [[nodiscard]] static typename Promoted<Number>::Type value(const std::array<Vector3<Number>, 4>& v) {
     using Wide = typename Promoted<Number>::Type;

@@ -79,11 +79,11 @@ struct CellForms {
            (in_range & static_cast<int>(largest <= exact_reach)) != 0}};
 }
 
-// What the filter tells of a sample and the cell's sphere: 0 or 1 each.
+// What the filter decides about a sample and the cell's sphere: 0 or 1 each.
 struct SphereAnswer {
   int is_beyond_bound;  // so that the sample does not lie on the sphere
   int is_exact;         // nothing was rounded
-  int is_zero;          // the polynomial, which tells something where it is exact
+  int is_zero;          // the polynomial, which counts where it is exact
 };
 
 // v: the sample, seen from vertex 0. exact_reach: as of the cell.

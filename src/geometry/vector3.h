@@ -2,7 +2,7 @@
 // made of.
 //
 // Guarantees: nothing is rounded here beyond what the number type itself rounds; the error bounds for double are in
-// filter_bounds.h. A filter that cannot tell a sign answers std::nullopt, never a guess (spec clause FC-NUM-01).
+// filter_bounds.h. A filter that does not decide a sign answers std::nullopt, never a guess (spec clause FC-NUM-01).
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // The corners of regions of Voronoi facets as numbered points of a file.
 //
-// Guarantees: two corners have one number iff their exact positions are equal. They tell by their names which of them
+// Guarantees: two corners have one number iff their exact positions are equal. Their names say which of them
 // are equal, with one exception: the midpoint of a facet may lie on the facet's boundary. It is a regular stationary
 // point then, and a corner of other facets by another name.
 #pragma once

@@ -93,7 +93,7 @@ void set_handlers() {
       ::signal(signal_number, remove_and_end);
     }
   }
-  // A write beyond the limit of a file's size fails then, and its reason is told.
+  // A write beyond the limit of a file's size fails then, and its reason is reported.
   ::signal(SIGXFSZ, SIG_IGN);
 }
 
@@ -152,7 +152,7 @@ void keep_owner_and_mode(int descriptor, const struct stat& status, const std::s
 }  // namespace
 
 OutputFile::OutputFile(const std::string& path) : path_(path), target_(path) {
-  // What cannot be found out here, in a folder that may not be entered, is told when the file is made.
+  // What cannot be found out here, in a folder that may not be entered, is reported when the file is made.
   struct stat status{};
   const bool is_there = ::stat(path_.c_str(), &status) == 0;
   if (is_there && S_ISDIR(status.st_mode)) fail("Is a directory");

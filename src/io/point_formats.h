@@ -1,4 +1,4 @@
-// The formats of point files: their names, how the content of a file tells them, and their readers.
+// The formats of point files: their names, how they are recognised by a file's content, and their readers.
 //
 // Each reader takes the whole file, decompressed and without a byte order mark. The file is not blank. Each guarantees
 // what flowcert/read_points.h promises.

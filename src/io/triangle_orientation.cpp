@@ -26,7 +26,7 @@ struct EdgeUse {
   bool ascends = false;  // the triangle goes along the edge from the lesser vertex to the greater one
 };
 
-// The uses of all edges, those of one edge next to each other. begin_of_edge() tells where each edge begins.
+// The uses of all edges, those of one edge next to each other. begin_of_edge() is where each edge begins.
 class EdgeUses {
  public:
   EdgeUses(std::span<const Triangle> triangles, std::size_t vertices)

@@ -24,7 +24,7 @@ using namespace morse;
 
 namespace {
 
-// The others are not interrupted, and this file tells when they are made.
+// The others are not interrupted, and this file reports when they are made.
 bool tells_by_itself(FlowComplexPart part) {
   return part == FlowComplexPart::kTriangulation || part == FlowComplexPart::kUnstable ||
          part == FlowComplexPart::kStable || part == FlowComplexPart::kLimits || part == FlowComplexPart::kVolumes;

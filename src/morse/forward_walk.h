@@ -2,8 +2,8 @@
 // clauses FC-UNST-04, 05).
 //
 // Guarantees: exact. The rays of a part leave a facet between those of its two ends, whose exits the flow operator
-// finds with its filtered signs. What has come to a face is put together before it is told, so that no part counts
-// twice. No exact position is computed but to compare points that the nearest doubles do not tell apart.
+// finds with its filtered signs. What has come to a face is put together before it is listed, so that no part counts
+// twice. No exact position is computed but to compare points with equal nearest doubles.
 #pragma once
 
 #include <array>

@@ -66,7 +66,7 @@ void LimitPartition::divide_all_edges(const Progress& progress) {
 }
 
 // A task that is not finished has asked for others, which come first. The first edge may ask for all the others, so
-// progress is told here.
+// progress is reported here.
 void LimitPartition::finish_tasks(const Progress& progress) {
   while (!tasks_.empty()) {
     if (progress && divided_ >= told_) {

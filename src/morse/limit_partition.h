@@ -40,7 +40,7 @@ struct Division {
   [[nodiscard]] bool is_arc() const { return point == kNoDivision; }
 };
 
-// How a point of a division was made. It tells its place exactly (division_positions.h).
+// How a point of a division was made, which gives its place exactly (division_positions.h).
 struct DivisionPoint {
   enum class Kind : std::uint32_t {
     kVertex,    // the Voronoi vertex `from`

@@ -1,5 +1,5 @@
 // A limit has a greater value than the point below it, so that maxima above points are found from the greatest value
-// down. Parts of one component are told by a union-find structure that knows the latest part.
+// down. A union-find structure finds the component of a part, and its latest part.
 #include "flowcert/merge_trees.h"
 
 #include <algorithm>
@@ -80,7 +80,7 @@ class TreeBuilder {
   DisjointSets sets_;
 };
 
-// Calls merge(joins) for each value. points come by value, and joins_of(point) tells what is at its sides.
+// Calls merge(joins) for each value. points come by value, and joins_of(point) is what is at its sides.
 template <typename JoinOf>
 MergeTree tree_of(std::size_t leaves, std::span<const std::uint32_t> points, const SquaredDistances& distances,
                   const JoinOf& join_of) {

@@ -1,7 +1,7 @@
 // The Voronoi face in which a stationary point lies, as one number: its place in the triangulation.
 //
-// Guarantees: the number of a Voronoi edge tells its PolygonRef, that of a Voronoi vertex its cluster. The number of
-// an index-1 point tells a finite cell that has its Delaunay edge. Index 0 has none.
+// Guarantees: the number of a Voronoi edge is its packed PolygonRef, and that of a Voronoi vertex its packed cluster.
+// The number of an index-1 point is that of a finite cell with its Delaunay edge. Index 0 has none.
 #pragma once
 
 #include <cstddef>

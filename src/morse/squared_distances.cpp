@@ -68,7 +68,7 @@ std::optional<Approximation> of_sphere(const RoundedVector& a, const RoundedVect
   return with_relative_error(square / (4 * determinant * determinant), (2.5 * error + 16) * kUnitRoundoff);
 }
 
-// Any three points of a circle tell it, and any four of a sphere that are not coplanar.
+// Any three points of a circle determine it, and any four of a sphere that are not coplanar.
 std::optional<Approximation> approximation_of(const PointSet& points, StationaryIndex index,
                                               std::span<const PointId> contact) {
   const auto point = [&](std::size_t k) -> const Point& { return points.at_row(contact[k]); };

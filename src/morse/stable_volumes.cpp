@@ -400,7 +400,7 @@ double StableVolumes::nearest_sum(std::span<const std::uint32_t> records) const 
   const geometry::IeeeDoubles ieee;
   if (records.size() == 1) return nearest(records.front());
   const std::optional<double> sum = parts_->rounded(parts_->shared_bounds(), records);
-  // Bounds do not tell a sum without terms from what is below the doubles.
+  // By their bounds, a sum without terms and what is below the doubles look alike.
   return sum ? *sum : nearest_or_infinity(exact_sum(records));
 }
 Rational StableVolumes::exact_sum(std::span<const std::uint32_t> records) const {

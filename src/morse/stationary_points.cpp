@@ -160,7 +160,7 @@ void add_whole_facets(const VoronoiComplex& complex, CellRange cells, OrderedRec
   }
 }
 
-// The polygon's shape as its sides tell it. It is negative if the polygon does not contain its centre, zero if the
+// The polygon's shape, from its sides. It is negative if the polygon does not contain its centre, zero if the
 // centre is the middle of a side.
 Sign least_angle(const PolygonSides& sides) {
   Sign least = Sign::kPositive;

@@ -1,7 +1,7 @@
 // What comes from infinity: where the skeleton of what flows there begins (spec clause FC-STAB-08).
 //
 // Guarantees: exact, in every dimension. Directions are exact vectors, scaled so that their largest coordinate is 1 or
-// -1. So two of them are equal iff they point the same way. Signs of the diagram tell which of them lead to infinity.
+// -1. So two of them are equal iff they point the same way. Signs of the diagram decide which of them lead to infinity.
 #pragma once
 
 #include <vector>

@@ -300,7 +300,7 @@ void UnstableManifolds::Parts::compute(const Progress& progress) {
   }
   for (const auto& worker : team) worker->count(statistics);
   for (const auto& worker : team) statistics.tally += worker->tally();
-  // Where ties are broken, the leader's forest tells most limits (limit_beyond). Otherwise its memory is given back.
+  // Where ties are broken, the leader's forest gives most limits (limit_beyond). Otherwise its memory is given back.
   const RegularCounts& regular = stationary.regular_counts();
   if (regular.kind12 + regular.kind13 + regular.kind23 > 0) workers.give(std::move(team.front()));
   if (progress) progress(limits.size(), limits.size());

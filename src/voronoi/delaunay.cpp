@@ -67,7 +67,7 @@ Delaunay::Delaunay(const PointSet& points, const Progress& progress, std::size_t
   CGAL::spatial_sort(order.begin(), order.end(),
                      CGAL::Spatial_sort_traits_adapter_3<Kernel, decltype(position_map)>(position_map));
 
-  // This does what CGAL's own range insertion does, and tells now and then how far it is.
+  // This does what CGAL's own range insertion does, and reports progress now and then.
   Cgal& cgal = triangulation_->cgal;
   Cgal::Cell_handle hint;
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -107,7 +107,7 @@ void for_each_cell(const Cgal& cgal, Visit visit) {
   }
 }
 
-// Asks memory for the cells that are copied soon, and then for their neighbours. A cell of CGAL lies in two lines of
+// Prefetches the cells that are copied soon, and then their neighbours. A cell of CGAL lies in two lines of
 // the cache. Where g++ does not inline such a function at once, it takes it for one without effect and leaves its
 // calls out.
 [[gnu::always_inline]] inline void prefetch(const std::vector<Cgal::Cell_handle>& cells, std::size_t number,
@@ -119,7 +119,7 @@ void for_each_cell(const Cgal& cgal, Visit visit) {
   for (int i = 0; i < corners; ++i) __builtin_prefetch(&cells[number + kDistance]->neighbor(i)->info());
 }
 
-// The cells in the order of their numbers, which they are told.
+// The cells in the order of their numbers, which are written into them.
 struct NumberedCells {
   std::vector<Cgal::Cell_handle> cells;
   CellIndex finite_count;

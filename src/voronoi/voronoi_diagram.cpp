@@ -89,7 +89,7 @@ CellIndex VoronoiDiagram::cell_of_side(PolygonRef polygon, FacetName side) const
 }
 
 PolygonDriver VoronoiDiagram::driver(PolygonRef polygon) const {
-  // Most polygons are one facet, and the cell's signs tell all of it.
+  // Most polygons are one facet, and the cell's signs suffice.
   if (spatial_ != nullptr && spatial_->role(polygon) == VoronoiComplex::FacetRole::kWhole) {
     const TetrahedronSigns& signs = spatial_->signs(polygon.cell);
     if (const auto corner = signs.obtuse_corner(polygon.index)) {

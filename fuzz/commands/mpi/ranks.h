@@ -16,7 +16,7 @@ namespace flowcert::commands {
 
 // ---- Lines ----
 // Nothing here waits for another rank, even if that rank is dead. Lines of one rank arrive whole and in order. A line
-// to a rank that is gone is lost, and nobody is told. A rank counts as gone when it is not heard of.
+// to a rank that is gone is lost, and nobody hears of it. A rank counts as gone when it is not heard of.
 //
 // Lines are cut into pieces so small that every transport sends them at once, without asking the receiver first.
 // Otherwise a receiver that asks for the rest of a message would wait for a rank that is killed meanwhile.
@@ -61,7 +61,7 @@ class RankLines {
 //
 // Guarantees: it never waits for a rank. If a rank is gone, or silent for too long, its batch is handed out again, so
 // the results are the same. A rank that is heard of again is employed again. The campaign ends when all is done, when
-// it is told to stop, or when no rank is left. If a rank is lost while it makes a crash small, the crash stays as it
+// somebody stops it, or when no rank is left. If a rank is lost while it makes a crash small, the crash stays as it
 // is until `flowcert fuzz --resume`.
 struct LedCampaign {
   // The ranks that were not heard of. They may be dead, and MPI would wait for them.

@@ -61,7 +61,7 @@ template <class Number>
 }
 
 // ---- Rungs ----
-// `start` and `across` make directions, `cached` tells what a point has, and `keep` stores it there,
+// `start` and `across` make directions, `cached` is what a point has, and `keep` stores it there,
 // for the lower precisions too, and returns it in doubles.
 
 template <class Number>

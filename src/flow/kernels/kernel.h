@@ -91,7 +91,7 @@ class ConstructedMovingPoint {
   const Point *p0_, *p1_;
 };
 
-// A kernel may have a moving point of its own, which keeps no points unless they are asked for. It tells on which side
+// A kernel may have a moving point of its own, which keeps no points unless they are asked for. It says on which side
 // of its ray a Voronoi vertex lies by the samples that make the vertex (OrderOfExits). Otherwise the vertex is
 // constructed (SideOfRay).
 template <class K>

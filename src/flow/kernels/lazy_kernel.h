@@ -100,7 +100,7 @@ class LazyKernel {
   struct Kept {
     Cgal::Point_3 value;
     std::size_t depth = 0;       // constructions between an input point and this one
-    const Node* node = nullptr;  // the value's, where it is ours: CGAL does not tell whether a value is exact
+    const Node* node = nullptr;  // the value's, where it is ours: CGAL does not say whether a value is exact
   };
   using Points = PointStorage<Kept>;
 
