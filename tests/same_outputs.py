@@ -8,9 +8,9 @@ usage: same_outputs.py OLDER NEWER [--generated N] [--claims N] [--jobs N] [--wi
 OLDER and NEWER are build folders, with flowcert, flowcert-oracle and the Python package. Runs what same_runs.py lists,
 and compares exit status, standard output, standard error and every file that is written. A scan (OBJ or XYZ) of more
 than 6,000 points is given to compute, persistence and pockets; every option is tried on about 3,000 of its points.
-Inputs and claims are made once, by OLDER. Guarantees: all bytes are compared but the header (what made it), a page's program, times,
-ratios to times, memory, and what is of the kernel that is the usual one: its name, tallies of filters and of exact
-numbers, and the lengths of its chains.
+Inputs and claims are made once, by OLDER. Guarantees: all bytes are compared but the header (what made it), a page's
+program, times, ratios to times, memory, and what is of the kernel that is the usual one: its name, tallies of filters
+and of exact numbers, and the lengths of its chains.
 Exit status: 0 where all is the same; 1 where something is not, or a program ends by a signal, and then the commands
 are printed; 2 where the programs cannot be compared, because they refuse every input of some command.
 """
