@@ -29,7 +29,7 @@ constexpr FlowOptions kExactBinary = {ConstructionKernel::kExact, FacetSearch::k
 constexpr FlowOptions kExactLinear = {ConstructionKernel::kExact, FacetSearch::kLinear};
 
 // Each orbit by itself.
-constexpr FlowOptions alone(FlowOptions options) {
+constexpr FlowOptions unshared(FlowOptions options) {
   options.share = false;
   return options;
 }
@@ -310,8 +310,9 @@ std::optional<Disagreement> check_unstable_kernels(const Trial& trial) {
   const StationaryPoints& stationary = subject.complex.stationary();
   const UnstableManifolds usual(subject.complex.diagram(), stationary, kLazyBinary);
   for (const auto& [name, options] :
-       {std::pair{"lazy, binary, alone", alone(kLazyBinary)}, std::pair{"cascade, binary, shared", kCascadeBinary},
-        std::pair{"cascade, linear, alone", alone(kCascadeLinear)}, std::pair{"exact, linear, shared", kExactLinear}}) {
+       {std::pair{"lazy, binary, alone", unshared(kLazyBinary)}, std::pair{"cascade, binary, shared", kCascadeBinary},
+        std::pair{"cascade, linear, alone", unshared(kCascadeLinear)},
+        std::pair{"exact, linear, shared", kExactLinear}}) {
     if (auto found = difference_of_unstable(subject, stationary, usual, options, name)) return found;
   }
   return std::nullopt;

@@ -19,6 +19,7 @@
 #include "flowcert/read_points.h"
 #include "flowcert/stable_manifolds.h"
 #include "geometry/vector3.h"
+#include "morse/flow_locator.h"
 #include "voronoi/voronoi_faces.h"
 
 namespace {

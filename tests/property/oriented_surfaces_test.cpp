@@ -16,6 +16,7 @@
 #include "fuzz/inputs/families.h"
 #include "fuzz/inputs/stable_configurations.h"
 #include "fuzz/properties/stationary_comparison.h"
+#include "io/triangle_orientation.h"
 #include "tests/cites.h"
 #include "tests/property/orbit_subject.h"
 #include "tests/property/property_parameters.h"

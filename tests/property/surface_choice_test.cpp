@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "flowcert/surface.h"
 #include "fuzz/inputs/families.h"
 #include "fuzz/properties/stationary_comparison.h"
 #include "geometry/difference_of_roots.h"

@@ -39,7 +39,7 @@ constexpr FlowOptions kCascadeLinear = {ConstructionKernel::kCascade, FacetSearc
 constexpr FlowOptions kExactLinear = {ConstructionKernel::kExact, FacetSearch::kLinear};
 
 // Each orbit by itself.
-constexpr FlowOptions alone(FlowOptions options) {
+constexpr FlowOptions unshared(FlowOptions options) {
   options.share = false;
   return options;
 }
@@ -289,7 +289,7 @@ void print_row(const std::string& name, const Seen& seen) {
 FlowStatistics compared_statistics(const Subject& subject) {
   const StationaryPoints& stationary = subject.complex.stationary();
   const Answer shared = answer_of(subject, stationary, kLazyBinary);
-  const Answer alone = answer_of(subject, stationary, alone(kLazyBinary));
+  const Answer alone = answer_of(subject, stationary, unshared(kLazyBinary));
   require_none(subject.input, shared.saddles == saddles_of(stationary) ? "" : "not the list's saddles", "");
   for (std::size_t i = 0; i < shared.saddles.size(); i += 1 + shared.saddles.size() / kSaddlesByOracle) {
     const auto saddle = stationary_point(subject, stationary, shared.saddles[i]);
@@ -305,7 +305,7 @@ FlowStatistics compared_statistics(const Subject& subject) {
   require_same_answer(subject, "lazy and binary against cascade and binary", shared,
                       answer_of(subject, stationary, kCascadeBinary));
   require_same_answer(subject, "lazy and binary against cascade and linear, each alone", shared,
-                      answer_of(subject, stationary, alone(kCascadeLinear)));
+                      answer_of(subject, stationary, unshared(kCascadeLinear)));
   const Counts counts = counted_again(shared);
   require_same_counts(subject, "statistics against the orbits counted again", counts_of(shared.statistics), counts);
   RC_ASSERT(alone.statistics.segments_computed == segments_of(counts));
@@ -370,7 +370,7 @@ TEST(UnstableAgreement, AskingForOrbitsLeavesTheStatistics) {
   const Subject subject(input);
   const StationaryPoints& stationary = subject.complex.stationary();
   for (const bool share : {true, false}) {
-    UnstableManifolds manifolds(subject.complex.diagram(), stationary, {kLazyBinary, share});
+    UnstableManifolds manifolds(subject.complex.diagram(), stationary, share ? kLazyBinary : unshared(kLazyBinary));
     // The copy has what they were before.
     const FlowStatistics before = manifolds.statistics();  // NOLINT(performance-unnecessary-copy-initialization)
     EXPECT_GT(before.n_u2.max(), 1U);

@@ -137,8 +137,7 @@ TEST(ExactKernel, CountsNoFailure) {
   const PointSet points = decagon();
   const FlowComplex complex(points);
   const StationaryPoints& stationary = complex.stationary();
-  const UnstableManifolds manifolds(complex.diagram(), stationary,
-                                    {{ConstructionKernel::kExact, FacetSearch::kBinary}, true});
+  const UnstableManifolds manifolds(complex.diagram(), stationary, {ConstructionKernel::kExact, FacetSearch::kBinary});
   EXPECT_EQ(failures(manifolds.statistics().tally), 0u);
   EXPECT_EQ(manifolds.statistics().depth, 0u);
   EXPECT_EQ(manifolds.statistics().exact_bytes.count(),
