@@ -9,6 +9,7 @@
 #include <limits>
 #include <variant>
 
+#include "certify/claims/claim_formats.h"
 #include "cli/check_pairs.h"
 #include "cli/check_report.h"
 #include "cli/progress.h"
@@ -58,7 +59,7 @@ AnyClaim claim_of(const std::string& path, const std::string& format, bool unlim
   const std::string bytes = io::read_bytes(path);
   std::string decompressed;
   const std::string_view content = io::plain_content(bytes, path, decompressed, unlimited);
-  if (format.empty() && !is_pair_claim(content, path)) return read_claim_from(content, path, unlimited);
+  if (format.empty() && !is_pair_claim(content, path)) return claim_in(content, path, unlimited);
   return claimed_pairs_of(content, path);
 }
 

@@ -472,7 +472,7 @@ TEST(CheckCommand, StatesDecimalsWithASmallToleranceAlone) {
 }
 
 TEST(CheckCommand, RefusesWhatItCannotUse) {
-  CITES("FC-IN-05", "FC-CLAIM-01");
+  CITES("FC-IN-05", "FC-CLAIM-01", "FC-FILE-47");
   const Checked own(kCube, Words{});
   const auto refuses = [](const Words& words, const std::string& what) {
     const Finished finished = flowcert(words);
@@ -492,6 +492,9 @@ TEST(CheckCommand, RefusesWhatItCannotUse) {
   refuses({"check", own.points(), own.scratch().file("sample", "inf 3\n0 | 0 | 0 1 | 0 9\n")},
           "sample:2: there is no point 9");
   refuses({"check", own.points(), own.scratch().file("index", "4,0,0,0\n")}, "index:1: not an index, 0 to 3");
+  const std::string row = "0,0,0,0\n", mark = "\xef\xbb\xbf";
+  EXPECT_NE(flowcert({"check", own.points(), own.scratch().file("marked", mark + row)}).status, 2);
+  refuses({"check", own.points(), own.scratch().file("marks", mark + mark + row)}, "marks:1");
   refuses({"check", own.points(), own.claim(), "--tolerance", "1"}, "--tolerance");
   refuses({"check", own.points(), own.claim(), "--tolerance", "nan"}, "--tolerance");
   refuses({"check", own.points(), own.claim(), "--levels", "6"}, "--levels");

@@ -110,15 +110,18 @@ void require_rows_of_pockets(const ClaimedPockets& pockets, const PointSet& poin
 
 }  // namespace
 
-Claim read_claim_from(std::string_view bytes, const std::string& name, bool unlimited) {
+Claim certify::claim_in(std::string_view content, const std::string& name, bool unlimited) {
   const geometry::IeeeDoubles ieee;
-  std::string decompressed;
-  bytes = plain_content(bytes, name, decompressed, unlimited);
   const auto* const format = std::find_if(kFormats.begin(), kFormats.end() - 1,
-                                          [&](const ClaimFormat* one) { return one->recognises(bytes); });
-  Claim claim = (*format)->read(bytes, name, unlimited);
+                                          [&](const ClaimFormat* one) { return one->recognises(content); });
+  Claim claim = (*format)->read(content, name, unlimited);
   claim.format = (*format)->name;
   return claim;
+}
+
+Claim read_claim_from(std::string_view bytes, const std::string& name, bool unlimited) {
+  std::string decompressed;
+  return claim_in(plain_content(bytes, name, decompressed, unlimited), name, unlimited);
 }
 
 void require_rows(const Claim& claim, const PointSet& points, const std::string& name) {
