@@ -347,8 +347,13 @@ void read_volume(const ExchangeValue& record, ClaimedPoint& point) {
   point.shares = shares ? list_of(*shares, share_of) : list_of(*near_shares, rounded_share_of);
 }
 
+// Pieces are filled one part after the other: GCC 12 destroys corners twice where a later part of a braced list throws.
 EdgePart<ClaimedPosition> edge_part_of(const ExchangeValue& value) {
-  return {ids_of(value.get("polygon")), corner_of(value.get("from")), corner_of(value.get("to"))};
+  EdgePart<ClaimedPosition> part;
+  part.polygon = ids_of(value.get("polygon"));
+  part.front = corner_of(value.get("from"));
+  part.back = corner_of(value.get("to"));
+  return part;
 }
 
 Region<ClaimedPosition> sheet_of(const ExchangeValue& value) {
@@ -358,7 +363,9 @@ Region<ClaimedPosition> sheet_of(const ExchangeValue& value) {
 }
 
 Crossing<ClaimedPosition> ray_of(const ExchangeValue& value) {
-  Crossing<ClaimedPosition> ray{pair_of_ids(value.get("samples")), {}, finite_corner_of(value.get("start"))};
+  Crossing<ClaimedPosition> ray;
+  ray.samples = pair_of_ids(value.get("samples"));
+  ray.back = finite_corner_of(value.get("start"));
   ray.front = corner_of(value.get("end"));
   return ray;
 }
