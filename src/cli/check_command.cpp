@@ -9,7 +9,7 @@
 #include <limits>
 #include <variant>
 
-#include "certify/claims/claim_formats.h"
+#include "certify/claim_content.h"
 #include "cli/check_pairs.h"
 #include "cli/check_report.h"
 #include "cli/progress.h"

@@ -4,7 +4,6 @@
 // read_claim.cpp. src/certify/README.md has an example.
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "certify/layer.h"
@@ -21,9 +20,6 @@ struct ClaimFormat {
   // messages. Compressed data in it are held to most_content(). Guarantees what flowcert/claim.h promises of readers.
   Claim (*read)(std::string_view bytes, std::string_view file, bool is_unlimited);
 };
-
-// The claim in a file's plain content (io/input_bytes.h), by the first format that recognises it.
-[[nodiscard]] Claim claim_in(std::string_view content, const std::string& name, bool unlimited);
 
 extern const ClaimFormat kPocketClaims;
 extern const ClaimFormat kExchangeClaims;

@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 
+#include "certify/claim_content.h"
 #include "certify/claims/claim_formats.h"
 #include "certify/layer.h"
 #include "flowcert/claim.h"
