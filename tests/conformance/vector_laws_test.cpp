@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "oracle/exact_geometry.h"
-#include "oracle/program/read_records.h"
 #include "oracle/persistence.h"
+#include "oracle/program/read_records.h"
 #include "tests/cites.h"
 #include "tests/conformance/vector_files.h"
 
