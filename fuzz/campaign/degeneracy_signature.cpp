@@ -108,8 +108,8 @@ class Chains {
   std::vector<std::size_t> edges_;
 };
 
-Extent spatial_extent(const VoronoiDiagram& faces) {
-  const VoronoiComplex& complex = faces.complex();
+Extent spatial_extent(const VoronoiDiagram& diagram) {
+  const VoronoiComplex& complex = diagram.complex();
   Extent extent{4, 3, 0};
   for (std::size_t k = 0; k < complex.large_cluster_count(); ++k) {
     extent.cluster = std::max(extent.cluster, points_of_cluster(complex, complex.large_cluster(k)));
@@ -118,25 +118,25 @@ Extent spatial_extent(const VoronoiDiagram& faces) {
   for (std::size_t k = 0; k < complex.large_polygon_count(); ++k) {
     extent.polygon = std::max(extent.polygon, complex.large_polygon(k).size() + 2);
   }
-  Chains chains(faces.delaunay().finite_count);
-  for (CellIndex cell = 0; cell < faces.delaunay().finite_count; ++cell) {
+  Chains chains(diagram.delaunay().finite_count);
+  for (CellIndex cell = 0; cell < diagram.delaunay().finite_count; ++cell) {
     for (std::uint32_t i = 0; i < 4; ++i) {
       const FacetRef facet{cell, i};
       if (complex.role(facet) == VoronoiComplex::FacetRole::kInterior) continue;
-      if (faces.polygon(facet) != facet || faces.driver(facet).shape != Sign::kZero) continue;
-      extent.chain = std::max(extent.chain, chains.add(faces.end(facet, 0), faces.end(facet, 1)));
+      if (diagram.polygon(facet) != facet || diagram.driver(facet).shape != Sign::kZero) continue;
+      extent.chain = std::max(extent.chain, chains.add(diagram.end(facet, 0), diagram.end(facet, 1)));
     }
   }
   return extent;
 }
 
 // For coplanar points a polygon is the contact set of its centre. Its Voronoi edge is a line, and a chain by itself.
-Extent planar_extent(const VoronoiDiagram& faces) {
+Extent planar_extent(const VoronoiDiagram& diagram) {
   Extent extent;
-  for (CellIndex cell = 0; cell < faces.delaunay().finite_count; ++cell) {
-    const PolygonRef polygon = faces.polygon({cell, 0});
-    extent.polygon = std::max(extent.polygon, faces.sides(polygon).size());
-    if (faces.driver(polygon).shape == Sign::kZero) extent.chain = 1;
+  for (CellIndex cell = 0; cell < diagram.delaunay().finite_count; ++cell) {
+    const PolygonRef polygon = diagram.polygon({cell, 0});
+    extent.polygon = std::max(extent.polygon, diagram.sides(polygon).size());
+    if (diagram.driver(polygon).shape == Sign::kZero) extent.chain = 1;
   }
   return extent;
 }
@@ -144,8 +144,7 @@ Extent planar_extent(const VoronoiDiagram& faces) {
 Extent extent_of(const VoronoiDiagram& diagram, const StationaryPoints& stationary) {
   Extent extent;
   if (diagram.dimension() >= 2) {
-    const VoronoiDiagram& faces = diagram;
-    extent = diagram.dimension() == 3 ? spatial_extent(faces) : planar_extent(faces);
+    extent = diagram.dimension() == 3 ? spatial_extent(diagram) : planar_extent(diagram);
   }
   for (std::size_t i = 0; i < stationary.size(); ++i) {
     extent.cluster = std::max(extent.cluster, stationary.contact(i).size());

@@ -1,7 +1,7 @@
 // A campaign whose findings are printed as they come, on standard output: each as soon as it is small.
 //
 // Guarantees: all that is absorbed reaches the campaign. Each finding is printed once, and known ones are not printed.
-// Of those that are equal but for their case, the first is printed. Where the campaign is to stop at its first finding
+// The first of those that are equal but for their case is printed. Where the campaign is to stop at its first finding
 // (`--first`), those that are not small yet are held back until the end. Once the first one is there the others are
 // dropped, and their batches are not done.
 #pragma once

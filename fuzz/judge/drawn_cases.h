@@ -11,7 +11,7 @@
 namespace flowcert::judge {
 
 [[nodiscard]] std::unique_ptr<AskedCases> drawn_cases(const fuzz::CaseRun& run);
-// Those of the run to which the id belongs; null if it belongs to none.
+// The cases of the run to which the id belongs; null if it belongs to none.
 [[nodiscard]] std::unique_ptr<AskedCases> drawn_cases_of(const std::string& id);
 
 }  // namespace flowcert::judge

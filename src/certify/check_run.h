@@ -131,7 +131,7 @@ struct CheckRun {
   // Whether what levels 4 and 5 ask of a claimed point can be judged: it is right, and it is known which point it is.
   // Reports that it is not judged if that alone is missing.
   [[nodiscard]] bool can_follow(std::size_t claimed_point);
-  // The same for these things ("volumes"), which are not judged of points that a perturbation makes.
+  // Whether such things ("volumes") can be judged, which they are not of points that a perturbation makes.
   [[nodiscard]] bool can_follow(std::size_t claimed_point, const std::string& things);
   [[nodiscard]] bool is_perturbed(std::size_t claimed_point) const {
     return perturbed.contains(placed[claimed_point].place->record);

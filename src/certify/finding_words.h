@@ -30,7 +30,7 @@ namespace flowcert::certify {
 // A claimed number as it was written: a decimal is no fraction.
 [[nodiscard]] std::string number_text(const ClaimedNumber& number);
 [[nodiscard]] std::string position_text(const ClaimedPosition& x);
-// Of a std::optional or Boxed that has no number where no double is near.
+// A std::optional or Boxed has no number where no double is near.
 [[nodiscard]] std::string double_text(const auto& number) { return number ? number_text(*number) : "no double"; }
 // "1.2e-07 away", and for decimals "1.2e-07 away, 120 times the tolerance".
 [[nodiscard]] std::string offset_text(const ClaimedPosition& claimed, const RationalPoint& truth,

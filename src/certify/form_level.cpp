@@ -77,7 +77,7 @@ std::string complaint_about_ids(const PointSet& points, const std::vector<PointI
   return twice == sorted.end() ? "" : "point " + std::to_string(*twice) + " is named twice";
 }
 
-// The same of contact sets, none of which may be empty. `whose` is what has them.
+// What is wrong with the ids of contact sets, none of which may be empty. `whose` is what has them.
 std::string complaint_about_contacts(const PointSet& points, const std::vector<std::vector<PointId>>& contacts,
                                      const std::string& whose) {
   for (const std::vector<PointId>& ids : contacts) {

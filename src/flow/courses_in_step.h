@@ -149,13 +149,12 @@ class CoursesInStep {
   // Goes on from the inside of a Voronoi edge.
   void go_on(std::size_t k) {
     Lane& lane = lanes_[k];
-    VoronoiFaces& rings = faces_;
     const std::size_t exit = lane.exit();
-    const RingLink link = rings.link(lane.ring, exit);
-    const std::span<const RingPiece> pieces = rings.ring(lane.ring).pieces;  // link() may have moved them
+    const RingLink link = faces_.link(lane.ring, exit);
+    const std::span<const RingPiece> pieces = faces_.ring(lane.ring).pieces;  // link() may have moved them
     const RingPiece& left = pieces[exit];
     if (link.ring == RingLink::kAlongEdge) return end_on_edge(k, left.polygon());
-    const FacetRing ring = rings.ring(link.ring);
+    const FacetRing ring = faces_.ring(link.ring);
     cross(k, left.apex, ring.facet);
     enter(lane, ring, 'E', link.place + 1, ring.size() - 1);
   }

@@ -14,6 +14,9 @@ class DisjointSets {
   explicit DisjointSets(std::size_t n) : rank_(n, 0), parent_(n), sets_(rank_.data(), parent_.data()) {
     std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
   }
+  // Boost's part points into the memory of this one.
+  DisjointSets(const DisjointSets&) = delete;
+  DisjointSets& operator=(const DisjointSets&) = delete;
 
   // The representative of the set that i is in.
   [[nodiscard]] std::uint32_t find(std::uint32_t i) { return sets_.find_set(i); }

@@ -39,14 +39,14 @@ SpatialPoint spatial(const Point& p) { return {p.x, p.y, p.z}; }
 
 // What all locators of one diagram share, and does not change.
 struct FlowLocator::Map {
-  Map(const VoronoiDiagram& diagram, const StationaryPoints& list, const FlowLimits& limits)
-      : voronoi(diagram), faces(diagram), stationary(list), partition(LimitPartition::of(limits)) {
-    if (faces.dimension() < 3) return;
-    neighborhoods.emplace(faces);
-    divisions.emplace(faces, partition);
+  Map(const VoronoiDiagram& voronoi, const StationaryPoints& list, const FlowLimits& limits)
+      : diagram(voronoi), stationary(list), partition(LimitPartition::of(limits)) {
+    if (diagram.dimension() < 3) return;
+    neighborhoods.emplace(diagram);
+    divisions.emplace(diagram, partition);
     one_in_units = Rational(std::ldexp(1.0, -divisions->unit()));
     std::vector<SpatialEntry> entries;
-    const std::vector<Point>& points = faces.delaunay().points;
+    const std::vector<Point>& points = diagram.delaunay().points;
     entries.reserve(points.size());
     for (VertexIndex v = 0; v < points.size(); ++v) entries.emplace_back(spatial(points[v]), v);
     tree = SampleTree(entries);
@@ -54,13 +54,14 @@ struct FlowLocator::Map {
 
   // In units (BoundedDivisions::unit). A scaled number that underflows is covered by every bound.
   [[nodiscard]] BoundedVector between(VertexIndex from, const Point& to) const;
-  [[nodiscard]] BoundedVector between(VertexIndex from, VertexIndex to) const { return between(from, faces.point(to)); }
+  [[nodiscard]] BoundedVector between(VertexIndex from, VertexIndex to) const {
+    return between(from, diagram.point(to));
+  }
   [[nodiscard]] std::optional<BoundedVector> offset(VertexIndex from, const RationalPoint& x) const;
   [[nodiscard]] VertexIndex nearby(const Point& x) const;
-  [[nodiscard]] PointId name(VertexIndex v) const { return voronoi.points().name(faces.delaunay().ordinals[v]); }
+  [[nodiscard]] PointId name(VertexIndex v) const { return diagram.points().name(diagram.delaunay().ordinals[v]); }
 
-  const VoronoiDiagram& voronoi;
-  const VoronoiDiagram& faces;
+  const VoronoiDiagram& diagram;
   const StationaryPoints& stationary;
   const LimitPartition& partition;
   // Dimension 3 only.
@@ -72,7 +73,7 @@ struct FlowLocator::Map {
 
 struct FlowLocator::Parts {
   Parts(std::shared_ptr<const Map> all, FlowOptions how)
-      : map(std::move(all)), options(how), finder(map->stationary), faces(map->voronoi), flow(map->voronoi, how) {}
+      : map(std::move(all)), options(how), finder(map->stationary), faces(map->diagram), flow(map->diagram, how) {}
 
   // The three return kOpenLimit where bounds do not decide. u is x - p, and g is a vector from the midpoint.
   static constexpr Limit kOpenLimit = 0xfffffffeu;
@@ -93,7 +94,7 @@ struct FlowLocator::Parts {
 };
 
 BoundedVector FlowLocator::Map::between(VertexIndex from, const Point& to) const {
-  const Point& p = faces.point(from);
+  const Point& p = diagram.point(from);
   const auto scaled = [this](double a, double b) {
     return BoundedNumber{DoubleDouble::sum(std::ldexp(a, -divisions->unit()), -std::ldexp(b, -divisions->unit())),
                          geometry::kBoundedUnderflow};
@@ -103,7 +104,7 @@ BoundedVector FlowLocator::Map::between(VertexIndex from, const Point& to) const
 
 // In units each coordinate is a double and a remainder, whose nearest double has an error of its own.
 std::optional<BoundedVector> FlowLocator::Map::offset(VertexIndex from, const RationalPoint& x) const {
-  const Point& p = faces.point(from);
+  const Point& p = diagram.point(from);
   bool is_finite = true;
   const auto from_origin = [&](const Rational& coordinate, double origin) {
     const Rational in_units = coordinate * one_in_units;
@@ -171,7 +172,7 @@ Limit FlowLocator::Parts::limit_on_edge(FacetName facet, const RingPiece& piece,
   const std::span<const Division> all = map->partition.edge(piece.polygon());
   if (all.size() == 1) return all.front().limit;
   const std::array<VertexIndex, 3> samples{facet.v0, facet.v1, piece.apex};
-  const bool is_forward = has_turn(map->faces, piece.polygon(), samples);
+  const bool is_forward = has_turn(map->diagram, piece.polygon(), samples);
   // The side of the division point 2 k + 1 that the parameter is on, towards end 1 positive.
   const auto side = [&](std::size_t k) -> MaybeSign {
     const PointOfDivision number = all[2 * k + 1].point;

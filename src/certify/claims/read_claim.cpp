@@ -28,7 +28,7 @@ void require_ids(std::span<const PointId> ids, const PointSet& points, const Lin
   }
 }
 
-// Of a segment, an interval, a sector or a sheet.
+// A piece is a segment, an interval, a sector or a sheet.
 template <class Piece>
 void require_rows_of_pieces(const std::vector<Piece>& pieces, const PointSet& points, const LinePlace& place) {
   for (const Piece& piece : pieces) {
