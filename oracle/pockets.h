@@ -1,7 +1,7 @@
 // Pockets: the stable sets of maxima, merged by persistence, with what leads out of them (FC-POCK-01 to 08).
 //
-// Infinity counts as a maximum without end, and its pocket is the outside. Values are squared distances. Points are
-// told by their places in the list of all stationary points, which is in the order of FC-OUT-02. Exact, for any finite
+// Infinity counts as a maximum without end, and its pocket is the outside. Values are squared distances. A point is
+// named by its place in the list of all stationary points, which is in the order of FC-OUT-02. Exact, for any finite
 // point set of any dimension.
 #pragma once
 

@@ -22,9 +22,9 @@ namespace oracle {
 
 namespace {
 
-// The rays from the midpoint m of two samples through their Voronoi facet, which does not contain m. Each is told by the
-// corner where it meets the line through m + ahead that is orthogonal to `ahead`; this order is that of the angles. Each
-// x of the facet is not nearer to a sample q than to the two: 2 <x - m, q - m> <= h(q). So <x - m, m - q> > 0, if
+// The rays from the midpoint m of two samples through their Voronoi facet, which does not contain m. A ray is named by
+// the corner where it meets the line through m + ahead that is orthogonal to `ahead`; this order is that of the angles.
+// Each x of the facet is not nearer to a sample q than to the two: 2 <x - m, q - m> <= h(q). So <x - m, m - q> > 0, if
 // h(q) < 0, and its limit at infinity is not negative.
 struct FacetRays {
   FacetRays(const PointSet& set, const std::array<std::size_t, 2>& samples) {

@@ -17,8 +17,8 @@ inline oracle::Rational root_below(const oracle::Rational& square, const oracle:
   return oracle::Rational(boost::multiprecision::sqrt(whole)) * unit;
 }
 
-// Whether x is the sum of the roots of these numbers, which are not negative, but for a share of 2^-40 of it. The unit is
-// so small that its multiples below the roots lack less than 2^-42 of x in all.
+// Whether x is the sum of the roots of these numbers, which are not negative, but for a share of 2^-40 of it. The unit
+// is so small that its multiples below the roots lack less than 2^-42 of x in all.
 inline bool is_root_sum(double x, const std::vector<oracle::Rational>& squares) {
   using oracle::Rational;
   Rational low = 0, count = 0;

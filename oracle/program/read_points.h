@@ -1,4 +1,5 @@
-// Reads point files for the oracle: tables of the three columns x, y, z, and the vertices of OBJ (names ending in .obj).
+// Reads point files for the oracle: tables of the three columns x, y, z, and the vertices of OBJ (names ending in
+// .obj).
 //
 // This is a second parser, written from spec/formats/points.md alone, so that a mistake in the fast program's readers
 // cannot hide in both. It reads no other format, no compressed file, and no table of other columns: it refuses what it

@@ -17,8 +17,8 @@ namespace flowcert::certify {
 
 // Whether it is a type of FC-FLOW-02, "E-F-V" or "E-F-inf".
 [[nodiscard]] bool is_segment_type(std::string_view type);
-// Whether a segment of the type `claimed` can come to a stationary point y, where without a perturbation one of the type
-// `truth` does: its last letter may be another one, V, E or F.
+// Whether a segment of the type `claimed` can come to a stationary point y, where without a perturbation one of the
+// type `truth` does: its last letter may be another one, V, E or F.
 [[nodiscard]] bool can_arrive_as(std::string_view claimed, std::string_view truth);
 // "C", "F", "E" or "V", as the affine hull of these samples on one sphere has dimension 0 to 3.
 [[nodiscard]] char face_letter(const PointSet& points, std::span<const PointId> contact);

@@ -1,6 +1,6 @@
 // The true flow complex, as far as a check asks for it.
 //
-// Guarantees: what a truth says is exact. Stationary points are told by their places in its list, which has the order
+// Guarantees: what a truth says is exact. A stationary point is named by its place in the list, which has the order
 // of FC-OUT-02. A check asks only for what a claim needs.
 #pragma once
 

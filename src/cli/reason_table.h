@@ -44,8 +44,8 @@ void sort_reasons(std::vector<ReasonRow>& rows);
 // Prints what each reason means, where the glossary has it.
 void print_meanings(const std::vector<ReasonRow>& rows);
 
-// Prints a line for each reason, if there is any: "missed-by-cluster  148  stationary-0003"; below what they mean; and an
-// empty line. counted: the title of the numbers, "cases". name: of the example.
+// Prints a line for each reason, if there is any: "missed-by-cluster  148  stationary-0003"; below what they mean; and
+// an empty line. counted: the title of the numbers, "cases". name: of the example.
 void print_reasons(const std::vector<ReasonRow>& rows, const char* counted,
                    const std::function<std::string(const ReasonRow&)>& name);
 

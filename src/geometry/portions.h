@@ -1,7 +1,7 @@
 // Hands out the numbers below a count in portions, to threads that ask for the next one when they are done. Numbers
 // that follow one another go to one thread, because what they stand for lies together in memory.
 //
-// Guarantees: each number is handed out once. The progress is told by one thread at a time, and ascends. Where it
+// Guarantees: each number is handed out once. The progress is reported by one thread at a time, and ascends. Where it
 // throws, nothing more is handed out, so that all threads stop soon.
 #pragma once
 

@@ -1,5 +1,5 @@
-// The words of a CIF file, between blanks. Words in quotes and text between lines that begin with ';' are one word each.
-// '#' starts a comment.
+// The words of a CIF file, between blanks. Words in quotes and text between lines that begin with ';' are one word
+// each. '#' starts a comment.
 //
 // Guarantees: nothing is copied. Throws InvalidInput for a quote or a text that does not end.
 #pragma once

@@ -81,7 +81,7 @@ Interval cosine(const Rational& degrees, mpfr_prec_t precision) {
 // The rows of the matrix that takes fractional coordinates times their lengths to Cartesian ones.
 using Rows = std::array<std::array<Interval, 3>, 3>;
 
-// None where the precision does not tell that the cell has a volume.
+// None where the precision does not show that the cell has a volume.
 std::optional<Rows> rows_of(const std::array<Rational, 3>& angles, mpfr_prec_t precision) {
   const Interval alpha = cosine(angles[0], precision), beta = cosine(angles[1], precision),
                  gamma = cosine(angles[2], precision);

@@ -28,8 +28,8 @@ class JsonLimits {
   std::vector<std::size_t> keys_;  // of each array or object that is open
 };
 
-// The place of a byte that no JSON has (FC-FILE-47), though nlohmann's parser passes over it: a byte order mark in front,
-// or NUL, which it takes for the end. npos if there is none.
+// The place of a byte that no JSON has (FC-FILE-47), though nlohmann's parser passes over it: a byte order mark in
+// front, or NUL, which it takes for the end. npos if there is none.
 [[nodiscard]] std::size_t place_of_no_json(std::string_view text);
 
 // The text as JSON. Throws InvalidInput, "NAME: reason", where it is not JSON or beyond the limits. O(n).

@@ -17,7 +17,8 @@ void prepare_for_out_of_memory(const char* program);
 // Says it and ends, without taking memory.
 [[noreturn]] void end_out_of_memory();
 
-// While it stands, this thread gets std::bad_alloc instead, and the program goes on. For what a stranger's answer takes.
+// While it stands, this thread gets std::bad_alloc instead, and the program goes on. For what a stranger's answer
+// takes.
 class ThrowsOutOfMemory {
  public:
   ThrowsOutOfMemory();

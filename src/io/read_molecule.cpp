@@ -23,8 +23,8 @@
 namespace flowcert::io {
 
 // ---- PDB ----
-// Fixed columns, where a line holds to them (pdb_line.h). A record MODEL begins a model, and so does the first atom after
-// END, by which trajectories part their frames.
+// Fixed columns, where a line holds to them (pdb_line.h). A record MODEL begins a model, and so does the first atom
+// after END, by which trajectories part their frames.
 
 void read_pdb(std::string_view text, PointRows& rows) {
   AtomSelection selection(rows.options(), rows.file(), true);

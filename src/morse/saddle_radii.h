@@ -1,5 +1,5 @@
-// The radii of all critical points of index 2 in ascending order, and the spacing of the samples, by which radii can
-// be told without units.
+// The radii of all critical points of index 2 in ascending order, and the spacing of the samples, in which radii can
+// be given without units.
 //
 // Guarantees: exact. What is compared are squares of radii and of the spacing, which are rationals.
 #pragma once

@@ -19,7 +19,7 @@
 
 namespace flowcert {
 
-// A corner of a region: a place that StableRegions can tell.
+// A corner of a region: a place that StableRegions has a position for.
 struct RegionCorner {
   enum class Kind : std::uint8_t {
     kVertex,    // a Voronoi vertex

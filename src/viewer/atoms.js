@@ -1,6 +1,7 @@
 // What the page of a molecule has of its atoms: names, elements, and the sticks between them. Points of other pages are
 // drawn as atoms of no element where pockets lie between them.
-// A stick is a Gabriel edge that is no longer than a bond, so that no search is needed: nearest atoms have such an edge.
+// A stick is a Gabriel edge that is no longer than a bond, so that no search is needed: nearest atoms have such an
+// edge.
 
 import { decode } from './blobs.js';
 

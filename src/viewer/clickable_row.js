@@ -1,5 +1,5 @@
-// A row of a table that picks something: with a click anywhere in it, or Enter while it has the focus. A button in it is
-// for those who look for one. Without `pick` it is a row as others are.
+// A row of a table that picks something: with a click anywhere in it, or Enter while it has the focus. A button in it
+// is for those who look for one. Without `pick` it is a row as others are.
 
 import { element } from './element.js';
 

@@ -2,8 +2,8 @@
 // A *point* is a number: a sample's ordinal, or sample_count + place in the records. `none` stands for no point,
 // no pair, and infinity. Squared distances, radii and persistence, a difference of distances, are in the frame;
 // `length_text` and `squared_text` give them in input units. What the first frame needs is decoded by load_first, the
-// lines of U2 by load_lines, with volumes, connections, cells and U1 (cells.js) and pockets (pockets.js), if the page has
-// them.
+// lines of U2 by load_lines, with volumes, connections, cells and U1 (cells.js) and pockets (pockets.js), if the page
+// has them.
 
 import { load_atoms } from './atoms.js';
 import { decode, decode_all } from './blobs.js';

@@ -9,7 +9,8 @@ import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeome
 const most_wide = 6000;
 
 export class LineLayer {
-  // dash: the length of one, or 0; faint: with an order, what is behind is seen; lifted: drawn before what is in the same place.
+  // dash: the length of one, or 0; faint: with an order, what is behind is seen; lifted: drawn before what is in the
+  // same place.
   constructor({ width = 2, dash = 0, on_top = false, lifted = false, order = 0, faint = false } = {}) {
     this.options = { width, dash, on_top, lifted, order, faint };
     this.object = new Group();

@@ -1,7 +1,7 @@
 // The colours of the page: Okabe and Ito's, which people with any sort of colour blindness can tell apart.
 // Kinds of points also differ in shape, so that no statement is made by colour alone.
-// Each theme has colours of the surface, its highlight, pockets, and the lines. Cells and U1 have those of their points.
-// Elements have the colours that chemists know; what is far away fades into `haze`.
+// Each theme has colours of the surface, its highlight, pockets, and the lines. Cells and U1 have those of their
+// points. Elements have the colours that chemists know; what is far away fades into `haze`.
 
 export const kind_names = ['samples', 'index 1', 'index 2', 'index 3', 'regular stationary'];
 

@@ -288,8 +288,8 @@ export class ComplexScene {
     this.redraw();
   }
 
-  // What is picked: a pocket alone, where it is picked as such. Otherwise the point: its sphere, its contact set with radii, its pocket with mouths, its S2, its cell S3 or its U1, its
-  // lines, and a ring around the points.
+  // What is picked: a pocket alone, where it is picked as such. Otherwise the point: its sphere, its contact set with
+  // radii, its pocket with mouths, its S2, its cell S3 or its U1, its lines, and a ring around the points.
   mark_picked() {
     discard(this.marks, this.exact.geometry.attributes.position);
     this.lines.path.show(new Float32Array(0));

@@ -1,6 +1,6 @@
 // A sphere that can be looked through: a shell that is seen at its rim, with three great circles.
-// It stands for the ball around a stationary point that holds no sample, or for a claimed one, which is dashed and drawn
-// over a true one in the same place.
+// It stands for the ball around a stationary point that holds no sample, or for a claimed one, which is dashed and
+// drawn over a true one in the same place.
 
 import { BackSide, FrontSide, Group, Mesh, ShaderMaterial, SphereGeometry, Vector3 } from 'three';
 import { LineLayer } from './line_layer.js';

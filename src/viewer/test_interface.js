@@ -37,7 +37,8 @@ export function test_interface(page) {
       const record_of = (set) => complex.s2.record[set];
       return { points: Array.from(points, name), sets: Array.from(sets, record_of), edges: Array.from(edges, name) };
     },
-    // Triangles of the picked point's cell, pocket, mouths and surface U1, lines of the latter, and those around mouths.
+    // Triangles of the picked point's cell, pocket, mouths and surface U1, lines of the latter, and those around
+    // mouths.
     marked: () => ({ ...page.scene.marked }),
     at_rest: () => page.scene === null || page.scene.is_at_rest(),
     frames: () => page.scene.frames,

@@ -52,8 +52,8 @@ class PlanarComplex {
 // themselves.
 class VoronoiComplex {
  public:
-  // dimension 3. O(cells), plus sorting what is cospherical. The same for any number of threads. The progress is told
-  // how many cells are begun, and of how many.
+  // dimension 3. O(cells), plus sorting what is cospherical. The same for any number of threads. The progress is how
+  // many cells are begun, and of how many.
   VoronoiComplex(CompactDelaunay delaunay, FilterTally& tally, unsigned threads = 1, const Progress& progress = {});
 
   [[nodiscard]] const CompactDelaunay& delaunay() const { return delaunay_; }

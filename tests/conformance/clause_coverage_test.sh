@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Spec and tests name each other: every clause of the spec is cited by a test that ctest runs, and every clause id
-# in the code is one of the spec's. Ids that are withdrawn are listed in spec/formats/README.md; only pages of the spec name
-# them.
+# in the code is one of the spec's. Ids that are withdrawn are listed in spec/formats/README.md; only pages of the spec
+# name them.
 #
 # usage: clause_coverage_test.sh [ROOT]        prints clause, level, number of citing tests
 #        clause_coverage_test.sh --self-test   damages a small tree in every way that must fail, and sees it fail

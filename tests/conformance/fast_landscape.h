@@ -1,5 +1,5 @@
-// What the fast implementation says of locations, merge trees, pockets, the medial axis, infinity and statistics, in the
-// form of the conformance vectors.
+// What the fast implementation says of locations, merge trees, pockets, the medial axis, infinity and statistics, in
+// the form of the conformance vectors.
 //
 // Guarantees: what is asked of it, positions, persistences, probes and angles, is read from what a case expects, and
 // nothing else is.

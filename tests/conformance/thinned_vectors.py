@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Every fourth case of the conformance vectors, for tests that start a program for each case.
 
-usage: thinned_vectors.py VECTORS COMMAND...     (runs the command, in which {vectors} is the folder of the thinned ones)
+usage: thinned_vectors.py VECTORS COMMAND...
 
+Runs the command, in which {vectors} is the folder of the thinned ones.
 Guarantees: every group and all flags' definitions are there; the first case of a group is. In a whole run
 (FLOWCERT_PROPERTY_SCALE of 4 or more, as ./dev test --slow sets it) no case is left out. Exit status: the command's.
 """

@@ -1,5 +1,5 @@
-// Laws that the answers of the conformance vectors keep, and what their schema says of the groups about locations, merge
-// trees, pockets, the medial axis, infinity and statistics.
+// Laws that the answers of the conformance vectors keep, and what their schema says of the groups about locations,
+// merge trees, pockets, the medial axis, infinity and statistics.
 //
 // Guarantees: every law is asked of all cases that it is about, and of three at least. Nothing is computed of the flow
 // here: a law ties numbers of the files to each other.

@@ -5,7 +5,8 @@ usage: viewer_page_test.py [ROOT]
        viewer_page_test.py --self-test
 
 Guarantees: no node and no browser is needed. The line of the data is there once; no element, style or script asks for
-anything; both licences are there, whole; versions are those of package.json; the page is not older than its sources. Exit status: 0, or 1 with each complaint.
+anything; both licences are there, whole; versions are those of package.json; the page is not older than its sources.
+Exit status: 0, or 1 with each complaint.
 """
 import importlib.util
 import json

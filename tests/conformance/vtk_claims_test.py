@@ -2,8 +2,8 @@
 
 usage: vtk_claims_test.py FLOWCERT
 
-Each file claims the critical points of an acute triangle, rightly, as TTK's ScalarFieldCriticalPoints lays them out; a second
-one has the index of one of them wrong. Compressors other than zlib have to be refused by name.
+Each file claims the critical points of an acute triangle, rightly, as TTK's ScalarFieldCriticalPoints lays them out; a
+second one has the index of one of them wrong. Compressors other than zlib have to be refused by name.
 """
 import itertools
 import json

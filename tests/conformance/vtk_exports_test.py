@@ -2,11 +2,11 @@
 
 usage: vtk_exports_test.py FLOWCERT
 
-Every position and value has to be the double nearest to the exact one of the records of the same run, to the bit; arrays their
-names and types; counts those of the summary; and vertices of surfaces one iff their exact positions are. Where orbits
-leave the box is computed again, in rationals. The cells of each stable set have its volume, by VTK's own sums, and
-fans the limits of λ-lists. The two triangles at a manifold edge go along it in opposite directions,
-unless a search of all ways to turn the component finds none.
+Every position and value has to be the double nearest to the exact one of the records of the same run, to the bit;
+arrays their names and types; counts those of the summary; and vertices of surfaces one iff their exact positions are.
+Where orbits leave the box is computed again, in rationals. The cells of each stable set have its volume, by VTK's own
+sums, and fans the limits of λ-lists. The two triangles at a manifold edge go along it in opposite directions, unless a
+search of all ways to turn the component finds none.
 """
 import json
 import math

@@ -1,7 +1,7 @@
 """The table of mutants: reading it, checking that every entry still applies, and applying one.
 
-Guarantees: an entry that no longer fits its file (its old text is not there exactly once) is an error, so that the table
-cannot rot unseen. No mutant is run here: run.py does.
+Guarantees: an entry that no longer fits its file (its old text is not there exactly once) is an error, so that the
+table cannot rot unseen. No mutant is run here: run.py does.
 """
 import collections
 import json

@@ -130,8 +130,8 @@ std::string broken_growth(const PointSet& set, const OrbitRecord& orbit) {
   return {};
 }
 
-// FC-STAB-08: what lies outside of conv P flows to infinity. Some planes that separate the start from P are tried: those
-// orthogonal to an axis, or to the way from a sample.
+// FC-STAB-08: what lies outside of conv P flows to infinity. Some planes that separate the start from P are tried:
+// those orthogonal to an axis, or to the way from a sample.
 std::string broken_escape(const PointSet& set, const OrbitRecord& orbit) {
   std::vector<Point> normals = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
   for (const Point& p : set.points) normals.push_back(oracle::minus(orbit.start, p));

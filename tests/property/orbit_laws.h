@@ -3,8 +3,8 @@
 //
 // Guarantees: exact. All laws are checked: contact sets before, during and after each segment (FC-FLOW-01),
 // types (FC-FLOW-02), drivers as nearest points of hulls, by search and by the plane that separates
-// (FC-DIST-02, FC-FLOW-04), which change (FC-FLOW-09), growth of d and of the enclosing balls, and the end (FC-FLOW-05),
-// what comes from outside of the hull (FC-STAB-08), and that no cell is entered again (FC-STAB-09).
+// (FC-DIST-02, FC-FLOW-04), which change (FC-FLOW-09), growth of d and of the enclosing balls, and the end
+// (FC-FLOW-05), what comes from outside of the hull (FC-STAB-08), and that no cell is entered again (FC-STAB-09).
 #pragma once
 
 #include <string>

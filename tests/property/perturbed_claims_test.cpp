@@ -1,9 +1,9 @@
 // What a program claims that moves the points a little before it computes.
 //
 // Guarantees: inputs are points on a small grid, and each is moved so little that no sign changes which is not zero
-// (FC-CLAIM-04). The samples of one plane may move together. All that is true of the moved points is claimed of those on
-// the grid. Such a claim never fails. The displacements are of two sizes, one the square of the other, because what is
-// flat needs both to open.
+// (FC-CLAIM-04). The samples of one plane may move together. All that is true of the moved points is claimed of those
+// on the grid. Such a claim never fails. The displacements are of two sizes, one the square of the other, because what
+// is flat needs both to open.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 

@@ -17,8 +17,8 @@ struct Simplex {
   Ids contact;
 };
 
-// The verdict on these points, instead of the critical ones of the same index with centre `center`. Only points of these
-// indices are claimed.
+// The verdict on these points, instead of the critical ones of the same index with centre `center`. Only points of
+// these indices are claimed.
 Verdict verdict_on(const Truly& truly, const RationalPoint& center, const std::vector<int>& indices,
                    const std::vector<Simplex>& made) {
   CheckOptions options;

@@ -32,9 +32,9 @@ struct PocketAnswer {
   std::map<std::size_t, std::vector<std::size_t>> between;
   std::vector<ProbeAnswer> probes;
 };
-// Lengths of pairs are rounded up to 12 bits, which those that have no more are not. At the persistence 0, at the lesser
-// middle one of the different lengths of pairs of dimension 2, and halfway between the two greatest. Probes are the roots of the lesser middle value of mouths, rounded down, and of the least value of
-// a widest path, rounded up.
+// Lengths of pairs are rounded up to 12 bits, which those that have no more are not. At the persistence 0, at the
+// lesser middle one of the different lengths of pairs of dimension 2, and halfway between the two greatest. Probes are
+// the roots of the lesser middle value of mouths, rounded down, and of the least value of a widest path, rounded up.
 std::vector<PocketAnswer> pocket_answers(const PointSet& set, const std::vector<StationaryPoint>& all);
 
 // The root of a positive value to 12 bits, rounded down or up. A root that has no more bits is exact.

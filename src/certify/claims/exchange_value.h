@@ -50,8 +50,8 @@ class UnknownKeys {
 
 enum class JsonKind { kNull, kBoolean, kNumber, kString, kArray, kObject };
 
-// A JSON text, value by value in the order of the text: an array or object stands before what is in it. A value takes 32
-// bytes and its text, because one line of a claim may have millions of them.
+// A JSON text, value by value in the order of the text: an array or object stands before what is in it. A value takes
+// 32 bytes and its text, because one line of a claim may have millions of them.
 class JsonDocument {
  public:
   using Place = std::uint32_t;
