@@ -98,7 +98,8 @@ LIKELY = {
     "oracle/stable": ["oracle_stable_test", "vectors_oracle_test"],
     "oracle/persistence": ["oracle_fast_test", "vectors_oracle_test"],
     "oracle/fast/": ["oracle_fast_test"],
-    "oracle/program/": ["oracle_reading_test", "oracle_stable_test"],
+    "oracle/program/": ["oracle_reading_test"],
+    "tests/vectors/": ["oracle_stable_test", "vectors_oracle_test"],
     "fuzz/judge/drawn_cases": ["verification_test"],
     "fuzz/judge/oracle_truth": ["oracle_truth_test"],
     "fuzz/properties/stable_pieces": ["oracle_truth_test"],
@@ -150,6 +151,7 @@ REACHED_BY = {
         "stable_agreement_test", "stable_invariants_test", "stable_metamorphic_test", "stationary_agreement_test",
         "unstable_agreement_test", "unstable_surface_agreement_test", "volume_agreement_test"},
     "judge": OF_JUDGE,
+    "vectors": {"oracle_stable_test", "vectors_oracle_test"},
     "certify": OF_JUDGE | {
         "check_mutations_test", "check_test", "direction_claims_test", "direction_findings_test",
         "exchange_keys_test", "incidence_findings_test", "infinity_claims_test", "matching_test",

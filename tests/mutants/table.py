@@ -11,9 +11,9 @@ import re
 TABLE = pathlib.Path(__file__).with_name("mutants.json")
 LEAST = 60
 # Whatever may be wrong with other programs, what judges them must not be: these folders have many mutants of their own.
-JUDGING = ("src/certify/", "fuzz/judge/", "fuzz/properties/stable_pieces", "oracle/")
+JUDGING = ("src/certify/", "fuzz/judge/", "fuzz/properties/stable_pieces", "oracle/", "tests/vectors/")
 LEAST_OF_JUDGING = 80
-ROOTS = ("src/", "fuzz/commands/", "fuzz/judge/", "fuzz/properties/", "oracle/", "spec/")
+ROOTS = ("src/", "fuzz/commands/", "fuzz/judge/", "fuzz/properties/", "oracle/", "spec/", "tests/vectors/")
 FIELDS = {"id", "file", "old", "new", "wrong"}
 # Names of ctest's tests that a fault is tried by where no quick test reaches its file: commands, Python, judge.py.
 TESTS = "tests"
@@ -72,6 +72,6 @@ def mutated(entry, text):
 
 
 def folder_of(entry):
-    """The layer of src/; else "commands", "judge", "oracle" or "spec"."""
+    """The layer of src/; else "commands", "judge", "oracle", "spec" or "vectors"."""
     first, second = entry["file"].split("/")[:2]
     return first if first in ("oracle", "spec") else second

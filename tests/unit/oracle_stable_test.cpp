@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "oracle/orbit.h"
-#include "oracle/program/answer_fields.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
+#include "tests/vectors/manifold_fields.h"
 
 namespace oracle::oracle_stable_test {
 namespace {
@@ -343,7 +343,7 @@ TEST(OracleStable, AnEdgeWithBothSidesInTheSetIsNoBoundary) {
             2);
   EXPECT_FALSE(has_tie(t.stable));
   const Edges edges = {{1, 2}, {1, 3}, {2, 4}, {3, 5}, {4, 5}};
-  EXPECT_EQ(stable_field(t.set, t.z, t.stable)["boundary"], Json(edges));
+  EXPECT_EQ(vectors::stable_field(t.set, t.z, t.stable)["boundary"], Json(edges));
   EXPECT_EQ(boundary_edges(t.stable), edges);
   EXPECT_EQ(boundary_walk(t.set, t.z, t.stable), (Names{0, 1, 2, 4, 5, 3, 1}));
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "oracle/orbit.h"
+#include "tests/vectors/manifold_fields.h"
 
 namespace oracle::vectors {
 

@@ -10,6 +10,7 @@
 #include "tests/vectors/flags.h"
 #include "tests/vectors/incidences.h"
 #include "tests/vectors/landscape_fields.h"
+#include "tests/vectors/manifold_fields.h"
 #include "tests/vectors/starts.h"
 
 namespace oracle::vectors {
