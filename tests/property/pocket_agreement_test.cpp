@@ -17,7 +17,6 @@
 
 #include "flowcert/pockets.h"
 #include "flowcert/stable_manifolds.h"
-#include "fuzz/inputs/chambers.h"
 #include "fuzz/judge/root_sum.h"
 #include "geometry/difference_of_roots.h"
 #include "oracle/connections.h"
@@ -25,6 +24,7 @@
 #include "oracle/persistence.h"
 #include "oracle/pockets.h"
 #include "oracle/stable_pieces.h"
+#include "tests/chambers.h"
 #include "tests/cites.h"
 #include "tests/property/family_run.h"
 #include "tests/property/orbit_subject.h"

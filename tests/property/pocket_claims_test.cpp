@@ -16,11 +16,11 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/inputs/chambers.h"
 #include "fuzz/judge/oracle_truth.h"
 #include "fuzz/properties/input_points.h"
 #include "geometry/difference_of_roots.h"
 #include "io/write_pockets.h"
+#include "tests/chambers.h"
 #include "tests/cites.h"
 #include "tests/property/claim_properties.h"
 

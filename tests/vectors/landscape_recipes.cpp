@@ -2,8 +2,8 @@
 // are small, because the oracle finds pockets by trying, and pairs by the Čech filtration.
 #include <utility>
 
-#include "fuzz/inputs/chambers.h"
 #include "fuzz/inputs/large_configurations.h"
+#include "tests/chambers.h"
 #include "tests/vectors/recipes.h"
 
 namespace oracle::vectors {

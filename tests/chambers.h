@@ -1,12 +1,22 @@
-#include "fuzz/inputs/chambers.h"
+// Small inputs with several pockets: chambers with mouths between them, and cells of the face-centred lattice.
+//
+// Guarantees: the same input for the same seed, on every machine; few different distances, so that many are equal; at
+// most 18 points.
+#pragma once
 
 #include <rapidcheck.h>
 
+#include <cstdint>
 #include <utility>
+#include <vector>
+
+#include "fuzz/inputs/input.h"
 
 namespace flowcert::fuzz {
 
-std::vector<Row> chambers(std::uint64_t seed) {
+// Triangles and squares around the z axis, of three sizes, some of them turned or moved, and often closed at the ends.
+// Each chamber between them has a maximum or several.
+inline std::vector<Row> chambers(std::uint64_t seed) {
   rc::Random random(seed);
   const auto below = [&](std::uint64_t count) { return static_cast<int>(random.next() % count); };
   std::vector<Row> rows;
@@ -29,7 +39,9 @@ std::vector<Row> chambers(std::uint64_t seed) {
   return rows;
 }
 
-std::vector<Row> face_centred_cell(std::uint64_t seed) {
+// A cell of the face-centred lattice with some corners left out or added. Its shallow holes lead to several others at
+// once.
+inline std::vector<Row> face_centred_cell(std::uint64_t seed) {
   rc::Random random(seed);
   std::vector<Row> rows = {{2, 2, 0}, {2, 2, 4}, {2, 0, 2}, {2, 4, 2}, {0, 2, 2}, {4, 2, 2}};
   const auto dropped = random.next() % 12;
@@ -42,6 +54,9 @@ std::vector<Row> face_centred_cell(std::uint64_t seed) {
   return rows;
 }
 
-Input input_with_pockets(std::uint64_t seed) { return {seed % 6 == 0 ? face_centred_cell(seed) : chambers(seed)}; }
+// The one or the other.
+inline Input input_with_pockets(std::uint64_t seed) {
+  return {seed % 6 == 0 ? face_centred_cell(seed) : chambers(seed)};
+}
 
 }  // namespace flowcert::fuzz
