@@ -19,6 +19,7 @@
 #include "tests/cites.h"
 #include "tests/property/property_parameters.h"
 #include "tests/property/transformed_answers.h"
+#include "tests/transformed_inputs.h"
 
 namespace flowcert::property::metamorphic_test {
 namespace {

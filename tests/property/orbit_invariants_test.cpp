@@ -25,6 +25,7 @@
 #include "tests/property/orbit_subject.h"
 #include "tests/property/property_parameters.h"
 #include "tests/property/transformed_answers.h"
+#include "tests/transformed_inputs.h"
 
 namespace flowcert::property::orbit_invariants_test {
 namespace {

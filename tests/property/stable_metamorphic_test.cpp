@@ -28,6 +28,7 @@
 #include "tests/property/orbit_subject.h"
 #include "tests/property/property_parameters.h"
 #include "tests/property/transformed_answers.h"
+#include "tests/transformed_inputs.h"
 
 namespace flowcert::property::stable_metamorphic_test {
 namespace {

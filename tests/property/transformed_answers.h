@@ -1,4 +1,5 @@
-// What the transformations of fuzz/inputs/transformations.h do to an answer: to its points and to its names.
+// What the transformations of fuzz/inputs/transformations.h and tests/transformed_inputs.h do to an answer: to its
+// points and to its names.
 //
 // Guarantees: exact.
 #pragma once
@@ -10,7 +11,7 @@
 
 #include "flowcert/rational.h"
 #include "fuzz/inputs/input.h"
-#include "fuzz/inputs/transformations.h"
+#include "tests/transformed_inputs.h"
 
 namespace flowcert::property {
 

@@ -15,13 +15,13 @@
 
 #include "flowcert/flow_complex.h"
 #include "fuzz/inputs/stable_configurations.h"
-#include "fuzz/inputs/transformations.h"
 #include "fuzz/properties/input_points.h"
 #include "oracle/exact_geometry.h"
 #include "tests/cites.h"
 #include "tests/property/orbit_subject.h"
 #include "tests/property/property_parameters.h"
 #include "tests/property/transformed_answers.h"
+#include "tests/transformed_inputs.h"
 
 namespace flowcert::property::unstable_sides_test {
 namespace {

@@ -16,8 +16,8 @@
 #include "fuzz/inputs/configurations.h"
 #include "fuzz/inputs/large_configurations.h"
 #include "fuzz/inputs/stable_configurations.h"
-#include "fuzz/inputs/transformations.h"
 #include "fuzz/properties/input_points.h"
+#include "tests/transformed_inputs.h"
 
 namespace flowcert::fuzz::degeneracy_signature_test {
 namespace {

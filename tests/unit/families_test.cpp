@@ -27,6 +27,7 @@
 #include "fuzz/inputs/input.h"
 #include "fuzz/inputs/integer_points.h"
 #include "fuzz/inputs/transformations.h"
+#include "tests/transformed_inputs.h"
 
 namespace flowcert::fuzz::families_test {
 namespace {
