@@ -13,6 +13,7 @@
 
 #include "certify/programs/limited_program.h"
 #include "flowcert/check.h"
+#include "fuzz/judge/layer.h"
 #include "fuzz/properties/property.h"
 
 namespace flowcert::judge {

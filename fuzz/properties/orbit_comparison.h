@@ -5,9 +5,7 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -17,11 +15,6 @@
 #include "oracle/orbit.h"
 
 namespace flowcert::property {
-
-// The types of Table 1 of the paper (FC-FLOW-02).
-inline const std::set<std::string> kTableOne = {"V-E-V",   "V-E-inf", "E-E-V", "E-E-inf", "V-F-V",  "V-F-E",
-                                                "V-F-inf", "E-F-V",   "E-F-E", "E-F-inf", "F-F-V",  "F-F-E",
-                                                "F-F-inf", "C-C-V",   "C-C-E", "C-C-F",   "C-C-inf"};
 
 struct SegmentRecord {
   std::string type;  // as in the table
@@ -65,8 +58,5 @@ std::string to_text(const OrbitRecord& orbit);
 // What differs, in one line; empty if nothing does.
 std::string difference(const SegmentRecord& a, const SegmentRecord& b);
 std::string difference(const OrbitRecord& a, const OrbitRecord& b);
-
-// How often there were segments of each type.
-using TypeCensus = std::map<std::string, std::size_t>;
 
 }  // namespace flowcert::property

@@ -3,11 +3,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
-#include <numeric>
 #include <optional>
 #include <ostream>
-#include <string_view>
 #include <utility>
 
 #include "fuzz/inputs/integer_points.h"
@@ -327,10 +324,6 @@ rc::Gen<StartChoice> start_choice() {
       rc::gen::container<Numbers>(kNumbers, fuzz::whole(0, fuzz::Integer{1} << 30)));
 }
 
-rc::Gen<std::vector<StartChoice>> start_choices(std::size_t count) {
-  return rc::gen::container<std::vector<StartChoice>>(count, start_choice());
-}
-
 oracle::Point start_of(const PointSet& set, const StartChoice& choice) {
   FLOWCERT_REQUIRES(!set.points.empty());
   Numbers numbers(choice);
@@ -357,42 +350,6 @@ oracle::Point start_of(const PointSet& set, const StartChoice& choice) {
       return aimed_start(set, numbers);
   }
   return {};
-}
-
-namespace {
-
-constexpr std::string_view kLetters = "CFEV";
-
-int percentage(std::size_t part, std::size_t whole) { return whole == 0 ? 0 : static_cast<int>(100 * part / whole); }
-
-}  // namespace
-
-void StartCensus::add(const PointSet& set, StartKind kind, const Point& start) {
-  const auto contact = oracle::select(set.points, set.nearest_places(start));
-  ++seen_[static_cast<std::size_t>(kind)][static_cast<std::size_t>(oracle::affine_dimension(contact))];
-}
-
-int StartCensus::percent(char letter) const {
-  std::size_t part = 0;
-  std::size_t whole = 0;
-  for (const Row& row : seen_) {
-    part += row.at(kLetters.find(letter));
-    whole += std::accumulate(row.begin(), row.end(), std::size_t{0});
-  }
-  return percentage(part, whole);
-}
-
-int StartCensus::percent(StartKind kind, char letter) const {
-  const Row& row = seen_[static_cast<std::size_t>(kind)];
-  return percentage(row.at(kLetters.find(letter)), std::accumulate(row.begin(), row.end(), std::size_t{0}));
-}
-
-void StartCensus::print() const {
-  std::printf("%-12s %7s %7s %7s %7s\n", "starts", "in V", "in E", "in F", "in C");
-  for (std::size_t kind = 0; kind < kStartKindCount; ++kind) {
-    const Row& row = seen_[kind];
-    std::printf("%-12s %7zu %7zu %7zu %7zu\n", kStartKindNames[kind], row[3], row[2], row[1], row[0]);
-  }
 }
 
 }  // namespace flowcert::property

@@ -3,8 +3,8 @@
 //
 // Guarantees: a start is a function of the point set and a choice. A choice is drawn without looking at the input, so
 // both shrink, alone or together; a choice shrinks towards small numbers and the first kind. A start is mostly where
-// its kind says, but this is not promised (three points need not have a Voronoi edge). StartCensus counts how often
-// it is. Only the oracle's geometry is used.
+// its kind says, but this is not promised (three points need not have a Voronoi edge). Only the oracle's geometry is
+// used.
 #pragma once
 
 #include <rapidcheck.h>
@@ -42,27 +42,8 @@ struct StartChoice {
 std::ostream& operator<<(std::ostream& out, const StartChoice& choice);
 
 rc::Gen<StartChoice> start_choice();
-// So many choices; their number does not shrink.
-rc::Gen<std::vector<StartChoice>> start_choices(std::size_t count);
 
 // The point set must not be empty.
 oracle::Point start_of(const oracle::PointSet& set, const StartChoice& choice);
-
-// Starts by kind and by the Voronoi face that they are in.
-class StartCensus {
- public:
-  void add(const oracle::PointSet& set, StartKind kind, const oracle::Point& start);
-
-  // The percentage of all starts, or of the starts of a kind, whose face has this letter ('V', 'E', 'F', 'C').
-  [[nodiscard]] int percent(char letter) const;
-  [[nodiscard]] int percent(StartKind kind, char letter) const;
-  // A row for each kind.
-  void print() const;
-
- private:
-  using Row = std::array<std::size_t, 4>;  // by the dimension of the contact set
-
-  std::array<Row, kStartKindCount> seen_{};
-};
 
 }  // namespace flowcert::property

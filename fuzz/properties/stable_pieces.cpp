@@ -29,13 +29,6 @@ auto all_to_fast(const std::vector<From>& pieces) {
   return made;
 }
 
-template <class From>
-auto all_to_oracle(const std::vector<From>& pieces) {
-  std::vector<decltype(to_oracle(pieces.front()))> made;
-  for (const From& piece : pieces) made.push_back(to_oracle(piece));
-  return made;
-}
-
 }  // namespace
 
 Corner<> to_fast(const oracle::Corner& corner) { return {corner.position, corner.at_infinity}; }
@@ -65,28 +58,6 @@ UnstableSurface<> to_fast(const oracle::UnstableSurface& set) {
           all_to_fast(set.runs),
           all_to_fast(set.sheets),
           all_to_fast(set.segments)};
-}
-
-oracle::Corner to_oracle(const Corner<>& corner) { return {corner.position, corner.at_infinity}; }
-oracle::EdgePart to_oracle(const EdgePart<>& part) {
-  return {ids(part.polygon), to_oracle(part.front), to_oracle(part.back)};
-}
-oracle::Crossing to_oracle(const Crossing<>& crossing) {
-  return {{crossing.samples[0], crossing.samples[1]}, to_oracle(crossing.front), to_oracle(crossing.back)};
-}
-oracle::Region to_oracle(const Region<>& region) {
-  return {{region.samples[0], region.samples[1]}, all_to_oracle(region.corners)};
-}
-oracle::BackwardSegment to_oracle(const BackwardSegment<>& segment) {
-  return {to_oracle(static_cast<const Crossing<>&>(segment)), ids(segment.front_contact), ids(segment.back_contact),
-          static_cast<oracle::BackKind>(segment.back_kind)};
-}
-oracle::UnstableSurface to_oracle(const UnstableSurface<>& set) {
-  return {{set.vertices.begin(), set.vertices.end()},
-          all_to_oracle(set.traces),
-          all_to_oracle(set.runs),
-          all_to_oracle(set.sheets),
-          all_to_oracle(set.segments)};
 }
 
 std::optional<std::vector<Ids>> boundary_of(const StableSet<>& set, bool has_vertex) {

@@ -1,4 +1,4 @@
-// The pieces of stable and unstable sets: from either implementation's form to the other's, shape by shape, and in
+// The pieces of stable and unstable sets: from the oracle's form to the fast implementation's, shape by shape, and in
 // words.
 //
 // Guarantees: exact. Lists keep their order. Two sets are the same iff they compare equal in one form.
@@ -19,8 +19,6 @@ using Ids = std::vector<std::size_t>;
 
 Ids ids(const auto& names) { return Ids(names.begin(), names.end()); }
 
-// ---- To the fast implementation's form ----
-
 Corner<> to_fast(const oracle::Corner& corner);
 EdgePart<> to_fast(const oracle::EdgePart& part);
 Crossing<> to_fast(const oracle::Crossing& crossing);
@@ -29,17 +27,6 @@ BackwardSegment<> to_fast(const oracle::BackwardSegment& segment);
 // Without the intervals that sectors begin at, since the sectors' corners give them.
 StableSet<> to_fast(const oracle::PointSet& points, const oracle::StableSet& set);
 UnstableSurface<> to_fast(const oracle::UnstableSurface& set);
-
-// ---- To the oracle's form ----
-
-oracle::Corner to_oracle(const Corner<>& corner);
-oracle::EdgePart to_oracle(const EdgePart<>& part);
-oracle::Crossing to_oracle(const Crossing<>& crossing);
-oracle::Region to_oracle(const Region<>& region);
-oracle::BackwardSegment to_oracle(const BackwardSegment<>& segment);
-oracle::UnstableSurface to_oracle(const UnstableSurface<>& set);
-
-// ---- Questions ----
 
 // Sample pairs with an odd number of critical backs (FC-STAB-07). Returns nothing if a tie leaves the boundary open:
 // a regular back, or a Voronoi vertex, which the pieces need not show.

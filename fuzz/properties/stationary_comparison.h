@@ -15,25 +15,16 @@
 #include <vector>
 
 #include "flowcert/flow_complex.h"
-#include "fuzz/inputs/input.h"
-#include "fuzz/properties/input_points.h"
-#include "oracle/fast/point_set.h"
 #include "oracle/stationary_points.h"
 
 namespace flowcert::property {
 
-struct Record {
-  int face_dimension = 0;
-  int hull_dimension = 0;
-  std::vector<std::size_t> contact;
-  RationalPoint center;
-  Rational squared_distance;
+using Record = oracle::StationaryPoint;
 
-  [[nodiscard]] bool is_critical() const { return face_dimension == hull_dimension; }
-  // FC-OUT-02: critical before regular, by index or kind, then by contact set.
-  [[nodiscard]] auto order_key() const { return std::tuple(!is_critical(), face_dimension, hull_dimension, contact); }
-  friend bool operator==(const Record&, const Record&) = default;
-};
+// FC-OUT-02: critical before regular, by index or kind, then by contact set.
+inline auto order_key(const Record& record) {
+  return std::tuple(!record.is_critical(), record.face_dimension, record.hull_dimension, record.contact);
+}
 
 struct StationaryAnswer {
   std::size_t points = 0;
@@ -58,26 +49,18 @@ inline StationaryAnswer fast_answer(const FlowComplex& complex) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto contact = all.contact(i);
     const ExactSphere sphere = complex.sphere(i);
-    answer.records.push_back({all.index(i).face_dimension, all.index(i).hull_dimension,
-                              std::vector<std::size_t>(contact.begin(), contact.end()), sphere.center,
-                              sphere.squared_radius});
+    answer.records.push_back({sphere.center,
+                              sphere.squared_radius,
+                              {contact.begin(), contact.end()},
+                              all.index(i).face_dimension,
+                              all.index(i).hull_dimension});
   }
   return answer;
 }
-
-inline StationaryAnswer fast_answer(const fuzz::Input& input) { return fast_answer(FlowComplex(point_set_of(input))); }
 
 inline StationaryAnswer oracle_answer(const oracle::PointSet& set) {
   const oracle::Answer all = oracle::stationary_points(set);
-  StationaryAnswer answer{all.points, all.merged_duplicates, {}, all.critical_counts(), all.regular_counts()};
-  for (const oracle::StationaryPoint& x : all.stationary) {
-    answer.records.push_back({x.face_dimension, x.hull_dimension, x.contact, x.center, x.squared_distance});
-  }
-  return answer;
-}
-
-inline StationaryAnswer oracle_answer(const fuzz::Input& input) {
-  return oracle_answer(oracle::fast::PointSet(input.rows));
+  return {all.points, all.merged_duplicates, all.stationary, all.critical_counts(), all.regular_counts()};
 }
 
 inline std::string to_text(const Record& record) {
@@ -144,7 +127,7 @@ inline std::string broken_clause(const StationaryAnswer& answer) {
   std::size_t single = 0;
   for (std::size_t i = 0; i < answer.records.size(); ++i) {
     const Record& record = answer.records[i];
-    if (i > 0 && !(answer.records[i - 1].order_key() < record.order_key())) {
+    if (i > 0 && !(order_key(answer.records[i - 1]) < order_key(record))) {
       return "FC-OUT-02: out of order: " + to_text(record);
     }
     if (!contacts.insert(record.contact).second || !centers.insert(record.center).second) {
@@ -158,30 +141,6 @@ inline std::string broken_clause(const StationaryAnswer& answer) {
     return "FC-CRIT-04: not every point is a critical point of index 0";
   }
   return {};
-}
-
-struct Comparison {
-  StationaryAnswer fast;
-  StationaryAnswer oracle;
-  // The first thing that is wrong between the two or with one of them, and both answers; empty if nothing is.
-  std::string complaint;
-};
-
-inline Comparison compare(const fuzz::Input& input) {
-  Comparison both{fast_answer(input), oracle_answer(input), {}};
-  std::string complaint = difference(both.fast, both.oracle);
-  for (const StationaryAnswer* answer : {&both.fast, &both.oracle}) {
-    complaint = complaint.empty() ? broken_clause(*answer) : complaint;
-  }
-  if (!complaint.empty()) {
-    std::ostringstream text;
-    text << complaint << "\ninput:\n"
-         << input << "the fast answer:\n"
-         << to_text(both.fast) << "\nthe oracle's answer:\n"
-         << to_text(both.oracle) << '\n';
-    both.complaint = text.str();
-  }
-  return both;
 }
 
 }  // namespace flowcert::property

@@ -9,8 +9,9 @@
 #include "flowcert/flow_complex.h"
 #include "flowcert/stationary_points.h"
 #include "fuzz/inputs/input.h"
-#include "fuzz/properties/stationary_comparison.h"
+#include "fuzz/properties/input_points.h"
 #include "oracle/fast/point_set.h"
+#include "oracle/stationary_points.h"
 
 namespace flowcert::property {
 

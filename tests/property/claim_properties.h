@@ -17,7 +17,7 @@
 #include "certify/truth.h"
 #include "flowcert/flow_complex.h"
 #include "fuzz/inputs/families.h"
-#include "fuzz/properties/stationary_comparison.h"
+#include "fuzz/properties/input_points.h"
 #include "tests/property/property_parameters.h"
 #include "tests/true_claims.h"
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "fuzz/inputs/families.h"
-#include "fuzz/properties/stationary_comparison.h"
+#include "fuzz/properties/input_points.h"
 #include "io/vtk_exports.h"
 #include "tests/cites.h"
 #include "tests/property/orbit_subject.h"

@@ -14,11 +14,11 @@
 
 #include "fuzz/inputs/input.h"
 #include "fuzz/inputs/integer_points.h"
-#include "fuzz/properties/stationary_comparison.h"
 #include "oracle/fast/point_set.h"
 #include "oracle/stationary_points.h"
 #include "tests/cites.h"
 #include "tests/property/property_parameters.h"
+#include "tests/property/stationary_answers.h"
 #include "voronoi/delaunay.h"
 
 namespace flowcert::property::invariants_test {
@@ -103,17 +103,13 @@ fuzz::Input in_general_position(Dice& dice, std::size_t count) {
   return input;
 }
 
-oracle::StationaryPoint claim_of(const Record& record) {
-  return {record.center, record.squared_distance, record.contact, record.face_dimension, record.hull_dimension};
-}
-
 void expect_sound(const std::string& name, const fuzz::Input& input) {
   const StationaryAnswer answer = fast_answer(input);
   EXPECT_EQ(broken_clause(answer), "") << name;
   const oracle::fast::PointSet points(input.rows);
   const std::size_t stride = answer.records.size() / kCertifiedRecords + 1;
   for (std::size_t i = 0; i < answer.records.size(); i += stride) {
-    const auto fault = oracle::certify(points, claim_of(answer.records[i]));
+    const auto fault = oracle::certify(points, answer.records[i]);
     EXPECT_FALSE(fault.has_value()) << name << ", " << to_text(answer.records[i]) << ": "
                                     << (fault ? fault->clause + ": " + fault->explanation : "");
   }

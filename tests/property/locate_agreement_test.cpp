@@ -15,6 +15,7 @@
 #include "morse/flow_locator.h"
 #include "oracle/orbit.h"
 #include "tests/cites.h"
+#include "tests/property/orbit_census.h"
 #include "tests/property/orbit_subject.h"
 #include "tests/property/property_parameters.h"
 

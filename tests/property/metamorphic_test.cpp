@@ -15,9 +15,9 @@
 
 #include "fuzz/inputs/families.h"
 #include "fuzz/inputs/transformations.h"
-#include "fuzz/properties/stationary_comparison.h"
 #include "tests/cites.h"
 #include "tests/property/property_parameters.h"
+#include "tests/property/stationary_answers.h"
 #include "tests/property/transformed_answers.h"
 #include "tests/transformed_inputs.h"
 
@@ -28,7 +28,7 @@ constexpr int kInputsPerFamily = 100;
 
 void sort_records(StationaryAnswer& answer) {
   std::sort(answer.records.begin(), answer.records.end(),
-            [](const Record& a, const Record& b) { return a.order_key() < b.order_key(); });
+            [](const Record& a, const Record& b) { return order_key(a) < order_key(b); });
 }
 
 StationaryAnswer renamed(StationaryAnswer answer, const std::vector<std::size_t>& names) {

@@ -20,6 +20,7 @@
 #include "fuzz/properties/orbit_starts.h"
 #include "oracle/orbit.h"
 #include "tests/cites.h"
+#include "tests/property/orbit_census.h"
 #include "tests/property/orbit_inputs.h"
 #include "tests/property/orbit_subject.h"
 #include "tests/property/property_parameters.h"

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "oracle/orbit.h"
+#include "tests/property/orbit_census.h"
 
 namespace flowcert::property {
 namespace {

@@ -15,7 +15,7 @@
 #include "flowcert/surface.h"
 #include "fuzz/inputs/families.h"
 #include "fuzz/inputs/stable_configurations.h"
-#include "fuzz/properties/stationary_comparison.h"
+#include "fuzz/properties/input_points.h"
 #include "io/triangle_orientation.h"
 #include "tests/cites.h"
 #include "tests/property/orbit_subject.h"

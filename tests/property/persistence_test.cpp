@@ -18,7 +18,7 @@
 #include "fuzz/inputs/families.h"
 #include "fuzz/inputs/integer_points.h"
 #include "fuzz/inputs/stable_configurations.h"
-#include "fuzz/properties/stationary_comparison.h"
+#include "fuzz/properties/input_points.h"
 #include "tests/cites.h"
 #include "tests/property/alpha_persistence.h"
 #include "tests/property/orbit_inputs.h"

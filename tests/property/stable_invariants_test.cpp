@@ -26,6 +26,7 @@
 #include "oracle/orbit.h"
 #include "oracle/stable_pieces.h"
 #include "tests/cites.h"
+#include "tests/property/orbit_census.h"
 #include "tests/property/orbit_subject.h"
 #include "tests/property/property_parameters.h"
 #include "tests/property/stable_skeleton.h"

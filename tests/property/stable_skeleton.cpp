@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "fuzz/properties/stable_pieces.h"
+#include "tests/property/oracle_pieces.h"
 
 namespace flowcert::property {
 namespace {

@@ -13,9 +13,9 @@
 #include <string>
 
 #include "fuzz/inputs/stable_configurations.h"
-#include "fuzz/properties/stationary_comparison.h"
 #include "tests/cites.h"
 #include "tests/property/property_parameters.h"
+#include "tests/property/stationary_answers.h"
 
 namespace flowcert::property::stationary_agreement_test {
 namespace {

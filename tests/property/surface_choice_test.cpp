@@ -15,7 +15,7 @@
 
 #include "flowcert/surface.h"
 #include "fuzz/inputs/families.h"
-#include "fuzz/properties/stationary_comparison.h"
+#include "fuzz/properties/input_points.h"
 #include "geometry/difference_of_roots.h"
 #include "io/coordinate_rounding.h"
 #include "io/surface_selection.h"

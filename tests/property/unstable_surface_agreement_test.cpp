@@ -18,6 +18,7 @@
 #include "oracle/unstable_surface.h"
 #include "tests/cites.h"
 #include "tests/property/family_run.h"
+#include "tests/property/oracle_pieces.h"
 #include "tests/property/orbit_subject.h"
 
 namespace flowcert::property::unstable_surface_agreement_test {
