@@ -13,6 +13,7 @@
 namespace flowcert::property {
 namespace {
 
+using oracle::cross, oracle::midpoint, oracle::moved;
 using oracle::Point;
 using oracle::PointSet;
 using oracle::Rational;
@@ -43,14 +44,6 @@ class Numbers {
   std::size_t next_ = 0;
 };
 
-Point plus(const Point& x, const Rational& factor, const Point& direction) {
-  return {x[0] + factor * direction[0], x[1] + factor * direction[1], x[2] + factor * direction[2]};
-}
-
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 Rational largest_coordinate(const Point& a) {
   return std::max({Rational(abs(a[0])), Rational(abs(a[1])), Rational(abs(a[2]))});
 }
@@ -58,10 +51,8 @@ Rational largest_coordinate(const Point& a) {
 // A vector along `direction`, about as long as `other`; zero if either is zero.
 Point of_the_size_of(const Point& other, const Point& direction) {
   const Rational size = largest_coordinate(direction);
-  return size == 0 ? direction : plus(Point{}, largest_coordinate(other) / size, direction);
+  return size == 0 ? direction : moved(Point{}, largest_coordinate(other) / size, direction);
 }
-
-Point middle(const Point& a, const Point& b) { return plus(a, Rational(1, 2), oracle::minus(b, a)); }
 
 // The places of the points that are nearest to this one, which comes first.
 std::vector<std::size_t> places_around(const PointSet& set, std::size_t place, std::size_t count) {
@@ -158,8 +149,10 @@ Rational inside(const Stretch& stretch, Numbers& numbers) {
   return {numbers.between(-6, 6), 4};
 }
 
+Point input_point_start(const PointSet& set, Numbers& numbers) { return some_points(set, numbers, 1).front(); }
+
 Point nearby_start(const PointSet& set, Numbers& numbers) {
-  Point x = some_points(set, numbers, 1).front();
+  Point x = input_point_start(set, numbers);
   const auto [low, high] = bounding_box(set);
   Rational reach = largest_coordinate(oracle::minus(high, low));
   reach = reach == 0 ? Rational(1) : reach;
@@ -203,13 +196,13 @@ Point facet_start(const PointSet& set, Numbers& numbers) {
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     const auto ends = some_points(set, numbers, 2);
     const auto [v, w] = across(oracle::minus(ends[1], ends[0]), numbers);
-    const Point u = plus(plus(Point{}, numbers.between(1, 3), v), numbers.between(-3, 3), w);
-    x = plus(middle(ends[0], ends[1]), Rational(numbers.between(-2, 2), 3), w);
+    const Point u = moved(moved(Point{}, numbers.between(1, 3), v), numbers.between(-3, 3), w);
+    x = moved(midpoint(ends[0], ends[1]), Rational(numbers.between(-2, 2), 3), w);
     const auto stretch = stretch_of(set, ends[0], x, u);
     if (stretch && !stretch->is_point()) {
-      return plus(x, inside(*stretch, numbers), u);
+      return moved(x, inside(*stretch, numbers), u);
     }
-    x = plus(x, 1, u);
+    x = moved(x, 1, u);
   }
   return x;
 }
@@ -243,7 +236,7 @@ std::optional<EdgeLine> edge_line(const PointSet& set, Numbers& numbers) {
 
 Point edge_start(const PointSet& set, Numbers& numbers) {
   const auto line = edge_line(set, numbers);
-  return line ? plus(line->centre, inside(line->stretch, numbers), line->direction) : facet_start(set, numbers);
+  return line ? moved(line->centre, inside(line->stretch, numbers), line->direction) : facet_start(set, numbers);
 }
 
 // The centre of four points if no point is nearer, which is tried a few times. Else an end of a Voronoi edge.
@@ -260,7 +253,7 @@ Point vertex_start(const PointSet& set, Numbers& numbers) {
   if (!line || (!line->stretch.from && !line->stretch.to)) {
     return edge_start(set, numbers);
   }
-  return plus(line->centre, line->stretch.from ? *line->stretch.from : *line->stretch.to, line->direction);
+  return moved(line->centre, line->stretch.from ? *line->stretch.from : *line->stretch.to, line->direction);
 }
 
 Point driver_start(const PointSet& set, Numbers& numbers) {
@@ -276,15 +269,15 @@ Point plane_start(const PointSet& set, Numbers& numbers) {
   const Point one = oracle::minus(corners[1], corners[0]);
   const Point two = oracle::minus(corners[2], corners[0]);
   const Point x =
-      plus(plus(corners[0], Rational(numbers.between(-4, 8), 4), one), Rational(numbers.between(-4, 8), 4), two);
+      moved(moved(corners[0], Rational(numbers.between(-4, 8), 4), one), Rational(numbers.between(-4, 8), 4), two);
   const Rational height(std::max(0L, numbers.between(-3, 3)), 2);  // zero in four of seven
-  return plus(x, height, of_the_size_of(one, cross(one, two)));
+  return moved(x, height, of_the_size_of(one, cross(one, two)));
 }
 
 Point segment_start(const PointSet& set, Numbers& numbers) {
   const auto points = some_points(set, numbers, 2 + numbers.below(2));
-  const Point end = middle(points[points.size() / 2], points.back());
-  return plus(points[0], Rational(numbers.between(1, 5), 6), oracle::minus(end, points[0]));
+  const Point end = midpoint(points[points.size() / 2], points.back());
+  return moved(points[0], Rational(numbers.between(1, 5), 6), oracle::minus(end, points[0]));
 }
 
 // A start on a way that ends in a Voronoi vertex y. The way leads from the midpoint of two points of y's contact set
@@ -295,14 +288,19 @@ Point aimed_start(const PointSet& set, Numbers& numbers) {
   const auto contact = oracle::select(set.points, set.nearest_places(y));
   const Point& p = contact[numbers.below(contact.size())];
   const Point& q = contact[numbers.below(contact.size())];
-  const Point back = oracle::minus(middle(p, q), y);
+  const Point back = oracle::minus(midpoint(p, q), y);
   const auto stretch = stretch_of(set, p, y, back);
   if (!stretch || stretch->is_point() || stretch->to == Rational(0)) {
-    return plus(y, Rational(numbers.between(1, 5), 6), oracle::minus(p, y));
+    return moved(y, Rational(numbers.between(1, 5), 6), oracle::minus(p, y));
   }
   const bool comes_in = stretch->to && *stretch->to < 1;
-  return plus(y, comes_in ? *stretch->to : Rational(numbers.between(1, 5), 6), back);
+  return moved(y, comes_in ? *stretch->to : Rational(numbers.between(1, 5), 6), back);
 }
+
+// In the order of StartKind.
+constexpr std::array<Point (*)(const PointSet&, Numbers&), kStartKindCount> kStarts = {
+    nearby_start, box_start,         vertex_start, edge_start,    facet_start,
+    driver_start, input_point_start, plane_start,  segment_start, aimed_start};
 
 }  // namespace
 
@@ -327,29 +325,7 @@ rc::Gen<StartChoice> start_choice() {
 oracle::Point start_of(const PointSet& set, const StartChoice& choice) {
   FLOWCERT_REQUIRES(!set.points.empty());
   Numbers numbers(choice);
-  switch (choice.kind) {
-    case StartKind::kNearby:
-      return nearby_start(set, numbers);
-    case StartKind::kBox:
-      return box_start(set, numbers);
-    case StartKind::kVertex:
-      return vertex_start(set, numbers);
-    case StartKind::kEdge:
-      return edge_start(set, numbers);
-    case StartKind::kFacet:
-      return facet_start(set, numbers);
-    case StartKind::kDriver:
-      return driver_start(set, numbers);
-    case StartKind::kInputPoint:
-      return some_points(set, numbers, 1).front();
-    case StartKind::kPlane:
-      return plane_start(set, numbers);
-    case StartKind::kSegment:
-      return segment_start(set, numbers);
-    case StartKind::kAimed:
-      return aimed_start(set, numbers);
-  }
-  return {};
+  return kStarts.at(static_cast<std::size_t>(choice.kind))(set, numbers);
 }
 
 }  // namespace flowcert::property

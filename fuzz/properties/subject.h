@@ -3,14 +3,20 @@
 // Guarantees: exact.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "flowcert/flow_complex.h"
+#include "flowcert/persistence.h"
 #include "flowcert/stationary_points.h"
 #include "fuzz/inputs/input.h"
 #include "fuzz/properties/input_points.h"
 #include "oracle/fast/point_set.h"
+#include "oracle/persistence.h"
 #include "oracle/stationary_points.h"
 
 namespace flowcert::property {
@@ -26,6 +32,28 @@ inline oracle::StationaryPoint oracle_point(const PointSet& points, const Statio
           {contact.begin(), contact.end()},
           stationary.index(record).face_dimension,
           stationary.index(record).hull_dimension};
+}
+
+// Persistence pairs by the fast implementation, in the oracle's structure and order.
+inline std::vector<oracle::PersistencePair> persistence_pairs(const FlowComplex& complex) {
+  const Persistence& persistence = complex.persistence();
+  std::vector<oracle::PersistencePair> pairs;
+  for (const PersistencePair& pair : persistence.pairs()) {
+    pairs.push_back({pair.dimension, persistence.squared_value(pair.birth), std::nullopt});
+    if (pair.death) pairs.back().death = persistence.squared_value(*pair.death);
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+// A line for each: dimension, birth, death or "inf".
+inline std::string to_text(const std::vector<oracle::PersistencePair>& pairs) {
+  std::string text;
+  for (const oracle::PersistencePair& pair : pairs) {
+    text +=
+        std::to_string(pair.dimension) + ' ' + pair.birth.str() + ' ' + (pair.death ? pair.death->str() : "inf") + '\n';
+  }
+  return text;
 }
 
 struct Subject {
