@@ -38,41 +38,6 @@ namespace flowcert::fuzz {
 
 namespace {
 
-struct NotedTrial {
-  std::size_t number = 0;
-  std::string property;
-  std::string source;
-  property::Trial trial;
-};
-
-class SharedTrial {
- public:
-  SharedTrial();
-  ~SharedTrial();
-  SharedTrial(const SharedTrial&) = delete;
-  SharedTrial& operator=(const SharedTrial&) = delete;
-
-  // Called by the worker.
-  void note(std::size_t number, const std::string& source, const std::string& property, const property::Trial& trial);
-  void count_case();
-  void forget();  // nothing is being tried
-  void start_batch();
-  [[nodiscard]] bool is_told_to_stop() const;
-
-  // Called by the parent.
-  [[nodiscard]] bool is_trying() const;
-  [[nodiscard]] NotedTrial noted() const;
-  // Changes with every trial.
-  [[nodiscard]] std::uint64_t trials() const;
-  // Cases done in the batch under way.
-  [[nodiscard]] std::size_t cases() const;
-  void tell_to_stop();
-
- private:
-  struct Memory;
-  Memory* memory_;
-};
-
 constexpr std::size_t kMostNumbers = 64;
 constexpr std::size_t kMostText = std::size_t{1} << 20;
 
@@ -96,21 +61,44 @@ void copy_text(const std::string& text, std::array<char, N>& to) {
   to[size] = '\0';
 }
 
-struct SharedTrial::Memory {
-  std::array<Place, 2> places;
-  std::atomic<std::uint64_t> trials{0};  // the latest one is in places[trials % 2]
-  std::atomic<bool> is_trying{false};
-  std::atomic<std::uint64_t> cases{0};
-  std::atomic<bool> stop{false};
+class SharedTrial {
+ public:
+  SharedTrial() {
+    void* memory = ::mmap(nullptr, sizeof(Memory), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) throw std::system_error(errno, std::generic_category(), "mmap");
+    memory_ = new (memory) Memory;
+  }
+  ~SharedTrial() { ::munmap(memory_, sizeof(Memory)); }
+  SharedTrial(const SharedTrial&) = delete;
+  SharedTrial& operator=(const SharedTrial&) = delete;
+
+  // Called by the worker.
+  void note(std::size_t number, const std::string& source, const std::string& property, const property::Trial& trial);
+  void count_case() { ++memory_->cases; }
+  void forget() { memory_->is_trying = false; }  // nothing is being tried
+  void start_batch() { memory_->cases = 0; }
+  [[nodiscard]] bool is_told_to_stop() const { return memory_->stop; }
+
+  // Called by the parent.
+  [[nodiscard]] bool is_trying() const { return memory_->is_trying; }
+  // The trial that was noted last, as a counterexample without a disagreement.
+  [[nodiscard]] Counterexample noted() const;
+  // Changes with every trial.
+  [[nodiscard]] std::uint64_t trials() const { return memory_->trials; }
+  // Cases done in the batch under way.
+  [[nodiscard]] std::size_t cases() const { return memory_->cases; }
+  void tell_to_stop() { memory_->stop = true; }
+
+ private:
+  struct Memory {
+    std::array<Place, 2> places;
+    std::atomic<std::uint64_t> trials{0};  // the latest one is in places[trials % 2]
+    std::atomic<bool> is_trying{false};
+    std::atomic<std::uint64_t> cases{0};
+    std::atomic<bool> stop{false};
+  };
+  Memory* memory_;
 };
-
-SharedTrial::SharedTrial() {
-  void* memory = ::mmap(nullptr, sizeof(Memory), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED) throw std::system_error(errno, std::generic_category(), "mmap");
-  memory_ = new (memory) Memory;
-}
-
-SharedTrial::~SharedTrial() { ::munmap(memory_, sizeof(Memory)); }
 
 void SharedTrial::note(std::size_t number, const std::string& source, const std::string& property,
                        const property::Trial& trial) {
@@ -134,18 +122,13 @@ void SharedTrial::note(std::size_t number, const std::string& source, const std:
   memory_->is_trying = true;
 }
 
-void SharedTrial::count_case() { ++memory_->cases; }
-void SharedTrial::forget() { memory_->is_trying = false; }
-void SharedTrial::start_batch() { memory_->cases = 0; }
-bool SharedTrial::is_told_to_stop() const { return memory_->stop; }
-bool SharedTrial::is_trying() const { return memory_->is_trying; }
-std::uint64_t SharedTrial::trials() const { return memory_->trials; }
-std::size_t SharedTrial::cases() const { return memory_->cases; }
-void SharedTrial::tell_to_stop() { memory_->stop = true; }
-
-NotedTrial SharedTrial::noted() const {
+Counterexample SharedTrial::noted() const {
   const Place& place = memory_->places.at(memory_->trials % 2);
-  NotedTrial noted{place.number, place.property.data(), place.source.data(), {}};
+  Counterexample noted;
+  noted.number = place.number;
+  noted.source = place.source.data();
+  noted.rows_before = place.rows;
+  noted.property = place.property.data();
   noted.trial.input.rows.assign(place.row.begin(), place.row.begin() + static_cast<std::ptrdiff_t>(place.rows));
   if (place.has_choice) {
     const auto* first = place.numbers_of_choice.begin();
@@ -193,8 +176,6 @@ std::string text_of_signal(int status) {
   return fmt::format("the process ended by signal {} ({})", WTERMSIG(status), ::strsignal(WTERMSIG(status)));
 }
 
-Disagreement crash_of(const std::string& how) { return {"crash", "", how, "", "", "", ""}; }
-
 // Whether the property ends its process on this trial in the same way.
 std::optional<Disagreement> same_crash(const Disagreement& crash, const std::function<void(const Trial&)>& attempt,
                                        const Trial& trial) {
@@ -239,11 +220,6 @@ class PipeObserver : public BatchObserver {
   SharedTrial& shared_;
 };
 
-struct Crash {
-  NotedTrial at;
-  Disagreement disagreement;
-};
-
 void run_property(const std::vector<Property>& properties, const std::string& name, const Trial& trial) {
   if (name == "signature") (void)signature_of(trial.input);
   for (const Property& property : properties) {
@@ -251,32 +227,19 @@ void run_property(const std::vector<Property>& properties, const std::string& na
   }
 }
 
-// A case that hangs is not shrunk.
-Counterexample crash_counterexample(const CampaignPlan& plan, const Crash& crash) {
-  Counterexample counterexample{plan.seed,         crash.at.number, crash.at.source,   crash.at.trial.input.rows.size(),
-                                crash.at.property, crash.at.trial,  crash.disagreement};
-  counterexample.is_small = crash.disagreement.kind != "crash";
-  return counterexample;
-}
-
-Crash crash_in(const Counterexample& counterexample) {
-  return {{counterexample.number, counterexample.property, counterexample.source, counterexample.trial},
-          counterexample.disagreement};
-}
-
-void report_shrunk(const CampaignPlan& plan, const std::vector<Property>& properties, const Crash& crash,
-                   PipeObserver& observer) {
-  Counterexample counterexample = crash_counterexample(plan, crash);
-  if (counterexample.is_small) return;
-  const auto attempt = [&](const Trial& trial) { run_property(properties, crash.at.property, trial); };
+void report_shrunk(const std::vector<Property>& properties, const Counterexample& crash, PipeObserver& observer) {
+  if (crash.is_small) return;
+  const auto attempt = [&](const Trial& trial) { run_property(properties, crash.property, trial); };
   const Judge judge = [&](const Trial& trial) -> std::optional<Disagreement> {
     if (observer.is_stopped()) return std::nullopt;
     return same_crash(crash.disagreement, attempt, trial);
   };
-  const Shrunk small = shrunk(crash.at.trial, crash.disagreement, judge, kCrashShrinkingBudget);
+  const Shrunk small = shrunk(crash.trial, crash.disagreement, judge, kCrashShrinkingBudget);
   if (observer.is_stopped()) return;
+  Counterexample counterexample = crash;
   counterexample.trial = small.trial;
   counterexample.is_small = true;
+  counterexample.is_asked = false;
   if (small.is_budget_up) counterexample.most_tried = kCrashShrinkingBudget;
   observer.tell(message_of(counterexample));
 }
@@ -298,10 +261,10 @@ void do_batches(const CampaignPlan& plan, const std::vector<Property>& propertie
 }
 
 void be_a_worker(const CampaignPlan& plan, const std::vector<Property>& properties, int orders, int messages,
-                 SharedTrial& shared, const std::optional<Crash>& crash) {
+                 SharedTrial& shared, const std::optional<Counterexample>& crash) {
   PipeObserver observer(messages, shared);
   try {
-    if (crash) report_shrunk(plan, properties, *crash, observer);
+    if (crash) report_shrunk(properties, *crash, observer);
     do_batches(plan, properties, orders, observer, shared);
   } catch (const property::MachineFailure& failure) {
     observer.tell(failure_message(failure.what()));
@@ -314,7 +277,7 @@ void be_a_worker(const CampaignPlan& plan, const std::vector<Property>& properti
 
 class Worker {
  public:
-  Worker(const CampaignPlan& plan, const std::vector<Property>& properties, const std::optional<Crash>& crash)
+  Worker(const CampaignPlan& plan, const std::vector<Property>& properties, const std::optional<Counterexample>& crash)
       : crash_(crash) {
     process_ = start_child([&] {
       close_descriptors_but(orders_.reading(), messages_.writing());
@@ -365,13 +328,13 @@ class Worker {
 
   // Whether it still makes a crash small, and has tried nothing itself yet.
   [[nodiscard]] bool makes_crash_small() const { return crash_ && shared_.trials() == 0; }
-  [[nodiscard]] const std::optional<Crash>& crash() const { return crash_; }
+  [[nodiscard]] const std::optional<Counterexample>& crash() const { return crash_; }
 
   std::optional<std::size_t> batch;
-  std::optional<NotedTrial> hanging_at;
+  std::optional<Counterexample> hanging_at;
 
  private:
-  std::optional<Crash> crash_;  // it makes this one small first
+  std::optional<Counterexample> crash_;  // it makes this one small first
   SharedTrial shared_;
   Pipe orders_, messages_;
   pid_t process_ = -1;
@@ -389,7 +352,7 @@ class Work {
 
   void run() {
     for (unsigned k = 0; k < options_.jobs; ++k) {
-      add_worker(next_crash());
+      add_worker(source_.next_crash());
     }
     while (!workers_.empty()) {
       wait();
@@ -400,11 +363,7 @@ class Work {
   }
 
  private:
-  std::optional<Crash> next_crash() {
-    const auto counterexample = source_.next_crash();
-    return counterexample ? std::optional(crash_in(*counterexample)) : std::nullopt;
-  }
-  void add_worker(const std::optional<Crash>& crash) {
+  void add_worker(const std::optional<Counterexample>& crash) {
     workers_.push_back(std::make_unique<Worker>(source_.plan(), properties_, crash));
     if (is_stopping_) workers_.back()->shared().tell_to_stop();
     employ(*workers_.back());
@@ -452,34 +411,40 @@ class Work {
     const bool is_left_off = worker->is_killed() && !worker->hanging_at;
     if (worker->batch) source_.give_back(*worker->batch);
     if (is_through || is_left_off) {
-      const auto left = is_stopping_ ? std::nullopt : next_crash();
+      const auto left = is_stopping_ ? std::nullopt : source_.next_crash();
       if (left) add_worker(left);
       return;
     }
     if (worker->makes_crash_small()) return add_worker(after_making_small(*worker, status));
-    const std::optional<Crash> crash = crash_of_end(*worker, status);
+    const std::optional<Counterexample> crash = crash_of_end(*worker, status);
     // The crash is reported at once, as it is, so that the batch is done without it. The small one follows.
-    if (crash) source_.absorb(message_of(crash_counterexample(source_.plan(), *crash)));
+    if (crash) source_.absorb(message_of(*crash));
     add_worker(crash);
   }
 
   // Returns nothing if the case seems not to be the reason.
-  std::optional<Crash> crash_of_end(const Worker& worker, int status) {
+  std::optional<Counterexample> crash_of_end(const Worker& worker, int status) {
     const std::string how = WIFSIGNALED(status) ? text_of_signal(status) : "the process ended by itself";
     if (worker.hanging_at) {
-      const std::string late = fmt::format("not done after {} s", options_.hang_seconds);
-      return Crash{*worker.hanging_at, {"hang", "", late, "", "", "", ""}};
+      return ended(*worker.hanging_at, "hang", fmt::format("not done after {} s", options_.hang_seconds));
     }
     if (!worker.shared().is_trying()) {
       if (!is_by_others(status) || ++kills_ > kMostKills) throw std::runtime_error(how);
       return std::nullopt;
     }
-    Crash crash{worker.shared().noted(), crash_of(how)};
-    if (is_by_others(status) && killed_at_.insert(crash.at.number).second) return std::nullopt;
-    return crash;
+    Counterexample noted = worker.shared().noted();
+    if (is_by_others(status) && killed_at_.insert(noted.number).second) return std::nullopt;
+    return ended(std::move(noted), "crash", how);
+  }
+  // A case that hangs is not shrunk.
+  [[nodiscard]] Counterexample ended(Counterexample noted, const std::string& kind, const std::string& how) const {
+    noted.seed = source_.plan().seed;
+    noted.disagreement = {kind, "", how, "", "", "", ""};
+    noted.is_small = kind != "crash";
+    return noted;
   }
   // Tries once more if others killed the process. Otherwise the crash stays as it is.
-  std::optional<Crash> after_making_small(const Worker& worker, int status) {
+  std::optional<Counterexample> after_making_small(const Worker& worker, int status) {
     return is_by_others(status) && ++kills_ <= kMostKills ? worker.crash() : std::nullopt;
   }
   // A user may have killed it, or the system for want of memory. The second time, the case is taken as the reason.
