@@ -90,12 +90,8 @@ rc::Gen<IntegerPoints> points_of_a_circle(std::size_t least, std::size_t most) {
 rc::Gen<IntegerPoints> points_of_two_circles(std::size_t least, std::size_t most) {
   return rc::gen::apply(
       [](const std::pair<RawIndices, RawIndices>& raw, Integer lower_norm, Integer upper_norm, Integer height) {
-        IntegerPoints points = at_raw_indices(circle_points(lower_norm), raw.first);
-        const IntegerPoints upper = at_raw_indices(circle_points(upper_norm), raw.second);
-        for (const IntegerPoint& point : lifted(upper, height)) {
-          points.push_back(point);
-        }
-        return points;
+        return joined(at_raw_indices(circle_points(lower_norm), raw.first),
+                      lifted(at_raw_indices(circle_points(upper_norm), raw.second), height));
       },
       rc::gen::pair(list_of(least, most, raw_index()), list_of(least, most, raw_index())), circle_norm(), circle_norm(),
       whole(1, 8));
@@ -120,27 +116,7 @@ namespace {
 // Squared radii of the rings at heights 0, 1, ...
 constexpr std::array<Integer, 7> kRings{1, 5, 10, 25, 50, 85, 130};
 
-// As many heights of rings as there are raw indices, ascending.
-std::vector<Integer> heights_at(const RawIndices& raw) {
-  IntegerPoints all;
-  for (std::size_t k = 0; k < kRings.size(); ++k) {
-    all.push_back({static_cast<Integer>(k), 0, 0});
-  }
-  std::vector<Integer> heights;
-  for (const auto& [height, unused, also_unused] : at_raw_indices(all, raw)) {
-    heights.push_back(height);
-  }
-  std::sort(heights.begin(), heights.end());
-  return heights;
-}
-
 Integer ring_norm(Integer height) { return kRings[static_cast<std::size_t>(height)]; }
-
-void append_at_height(IntegerPoints& points, const IntegerPoints& flat, Integer height) {
-  for (const IntegerPoint& point : flat) {
-    points.push_back({point[0], point[1], height});
-  }
-}
 
 IntegerPoints opposite_points(Integer norm, std::size_t raw) {
   const IntegerPoint a = at_raw_index(circle_points(norm), raw);
@@ -157,12 +133,22 @@ rc::Gen<std::vector<Ring>> rings(std::size_t least, std::size_t most) {
   return list_of(least, most, ring);
 }
 
+// As many heights as there are rings, ascending.
 std::vector<Integer> heights_of(const std::vector<Ring>& rings) {
+  IntegerPoints all;
+  for (std::size_t k = 0; k < kRings.size(); ++k) {
+    all.push_back({static_cast<Integer>(k), 0, 0});
+  }
   RawIndices raw;
   for (const Ring& ring : rings) {
     raw.push_back(ring[0]);
   }
-  return heights_at(raw);
+  std::vector<Integer> heights;
+  for (const auto& [height, unused, also_unused] : at_raw_indices(all, raw)) {
+    heights.push_back(height);
+  }
+  std::sort(heights.begin(), heights.end());
+  return heights;
 }
 
 // A circle around the origin with centre (x, y, 0), and half the length h of an edge whose midpoint is the origin.
@@ -174,15 +160,13 @@ struct OffCentre {
   Integer h;
 };
 
-Integer squared_length(const IntegerPoint& point) { return dot(point, point); }
-
 IntegerPoints shifted_circle(Integer norm, Integer x, Integer y) {
   IntegerPoints points = circle_points(norm);
   for (IntegerPoint& point : points) {
     point = plus(point, {x, y, 0});
   }
   std::stable_sort(points.begin(), points.end(),
-                   [](const IntegerPoint& a, const IntegerPoint& b) { return squared_length(a) < squared_length(b); });
+                   [](const IntegerPoint& a, const IntegerPoint& b) { return dot(a, a) < dot(b, b); });
   return points;
 }
 
@@ -194,9 +178,8 @@ std::vector<OffCentre> all_off_centre() {
     for (Integer x = 1; x <= 5; ++x) {
       for (Integer y = 0; y <= x; ++y) {
         for (Integer h = 1; h * h + x * x + y * y < norm; ++h) {
-          if (squared_length(shifted_circle(norm, x, y).front()) < h * h) {
-            all.push_back({norm, x, y, h});
-          }
+          const IntegerPoint nearest = shifted_circle(norm, x, y).front();
+          if (dot(nearest, nearest) < h * h) all.push_back({norm, x, y, h});
         }
       }
     }
@@ -211,14 +194,10 @@ rc::Gen<OffCentre> off_centre() {
 
 // The circle's point nearest to the origin is always in.
 IntegerPoints neighbours(const OffCentre& circle, const RawIndices& raw) {
-  IntegerPoints points{{0, 0, -circle.h}, {0, 0, circle.h}};
   IntegerPoints all = shifted_circle(circle.norm, circle.x, circle.y);
-  points.push_back(all.front());
+  const IntegerPoints points{{0, 0, -circle.h}, {0, 0, circle.h}, all.front()};
   all.erase(all.begin());
-  for (const IntegerPoint& point : at_raw_indices(all, raw)) {
-    points.push_back(point);
-  }
-  return points;
+  return joined(points, at_raw_indices(all, raw));
 }
 
 rc::Gen<RawIndices> further_neighbours() { return list_of(3, 9, raw_index()); }
@@ -267,7 +246,7 @@ rc::Gen<IntegerPoints> rings_of_right_triangles() {
       IntegerPoints triangle = opposite_points(norm, rings[k][1]);
       const IntegerPoints side = on_positive_side(circle_points(norm), quarter_turn(triangle.front()));
       triangle.push_back(at_raw_index(side, rings[k][2]));
-      append_at_height(points, triangle, heights[k]);
+      points = joined(std::move(points), lifted(triangle, heights[k]));
     }
     return points;
   });
@@ -282,7 +261,7 @@ rc::Gen<IntegerPoints> rings_of_pairs() {
       const Integer norm = ring_norm(heights[k]);
       const IntegerPoints ring =
           k == 0 ? polygon_around_origin(norm, first, other / 2, other % 2 == 0) : opposite_points(norm, first);
-      append_at_height(points, ring, heights[k]);
+      points = joined(std::move(points), lifted(ring, heights[k]));
     }
     return points;
   });
@@ -354,12 +333,10 @@ rc::Gen<IntegerPoints> open_shell() {
 // open ball is empty and the contact set of the origin is the boundary points.
 namespace {
 
-bool strictly_outside(const IntegerPoint& point, Integer norm) { return dot(point, point) > norm; }
-
 // The boundary points, and the others, which are pushed out of the ball if they are in it.
 IntegerPoints with_far_points(IntegerPoints boundary, const IntegerPoints& others, Integer norm) {
   for (IntegerPoint point : others) {
-    while (!strictly_outside(point, norm)) {
+    while (dot(point, point) <= norm) {
       point = point == IntegerPoint{0, 0, 0} ? IntegerPoint{1, 0, 0} : times(2, point);
     }
     boundary.push_back(point);
@@ -368,12 +345,6 @@ IntegerPoints with_far_points(IntegerPoints boundary, const IntegerPoints& other
 }
 
 rc::Gen<IntegerPoints> further_points(std::size_t least) { return list_of(least, 4, integer_point(-12, 12)); }
-
-void append(IntegerPoints& points, const IntegerPoints& list, const RawIndices& raw) {
-  for (const IntegerPoint& point : at_raw_indices(list, raw)) {
-    points.push_back(point);
-  }
-}
 
 // A vector that is orthogonal to this one, and not zero.
 IntegerPoint any_normal(const IntegerPoint& point) {
@@ -387,9 +358,8 @@ rc::Gen<IntegerPoints> right_angles_12() {
   return rc::gen::apply(
       [](Integer norm, std::size_t first, const RawIndices& others, const IntegerPoints& far) {
         const IntegerPoint a = at_raw_index(circle_points(norm), first);
-        IntegerPoints boundary{a, times(-1, a)};
-        append(boundary, on_positive_side(circle_points(norm), quarter_turn(a)), others);
-        return with_far_points(boundary, far, norm);
+        const IntegerPoints side = on_positive_side(circle_points(norm), quarter_turn(a));
+        return with_far_points(joined({a, times(-1, a)}, at_raw_indices(side, others)), far, norm);
       },
       circle_norm(), raw_index(), list_of(1, 3, raw_index()), further_points(1));
 }
@@ -398,9 +368,9 @@ rc::Gen<IntegerPoints> right_angles_23() {
   return rc::gen::apply(
       [](Integer norm, const std::pair<std::size_t, std::size_t>& corners, bool square, const RawIndices& others,
          const IntegerPoints& far) {
-        IntegerPoints boundary = polygon_around_origin(norm, corners.first, corners.second, square);
-        append(boundary, on_positive_side(sphere_points(norm), {0, 0, 1}), others);
-        return with_far_points(boundary, far, norm);
+        const IntegerPoints polygon = polygon_around_origin(norm, corners.first, corners.second, square);
+        const IntegerPoints side = on_positive_side(sphere_points(norm), {0, 0, 1});
+        return with_far_points(joined(polygon, at_raw_indices(side, others)), far, norm);
       },
       circle_norm(), rc::gen::pair(raw_index(), raw_index()),
       rc::gen::map(whole(0, 2), [](Integer dice) { return dice == 2; }), list_of(1, 3, raw_index()), further_points(0));
@@ -410,9 +380,8 @@ rc::Gen<IntegerPoints> right_angles_13() {
   return rc::gen::apply(
       [](Integer norm, std::size_t first, const RawIndices& others, const IntegerPoints& far) {
         const IntegerPoint a = at_raw_index(sphere_points(norm), first);
-        IntegerPoints boundary{a, times(-1, a)};
-        append(boundary, on_positive_side(sphere_points(norm), any_normal(a)), others);
-        return with_far_points(boundary, far, norm);
+        const IntegerPoints side = on_positive_side(sphere_points(norm), any_normal(a));
+        return with_far_points(joined({a, times(-1, a)}, at_raw_indices(side, others)), far, norm);
       },
       sphere_norm(), raw_index(), list_of(2, 4, raw_index()), further_points(0));
 }

@@ -117,6 +117,11 @@ rc::Gen<IntegerPoints> placed(const rc::Gen<IntegerPoints>& points) {
       points, integer_rotation(2), integer_point(-5, 5));
 }
 
+IntegerPoints joined(IntegerPoints points, const IntegerPoints& more) {
+  points.insert(points.end(), more.begin(), more.end());
+  return points;
+}
+
 IntegerPoints distinct(const IntegerPoints& points) {
   IntegerPoints once;
   for (const IntegerPoint& point : points) {
@@ -148,6 +153,10 @@ rc::Gen<Input> input_of(const rc::Gen<IntegerPoints>& points) {
   return shrink_by_removing(rc::gen::map(points, to_input));
 }
 
+rc::Gen<Input> distinct_input(const rc::Gen<IntegerPoints>& points) { return input_of(rc::gen::map(points, distinct)); }
+
+rc::Gen<Input> placed_distinct(const rc::Gen<IntegerPoints>& points) { return distinct_input(placed(points)); }
+
 // ---- Points of spheres ----
 // The tables are made once, by looking at every point of a cube.
 namespace {
@@ -169,12 +178,6 @@ Table points_by_norm(Integer z_reach) {
     }
   }
   return table;
-}
-
-template <std::size_t kCount>
-rc::Gen<Integer> one_of(const std::array<Integer, kCount>& norms) {
-  return rc::gen::map(whole(0, static_cast<Integer>(kCount) - 1),
-                      [norms](Integer index) { return norms[static_cast<std::size_t>(index)]; });
 }
 
 }  // namespace

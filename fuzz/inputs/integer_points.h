@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "fuzz/inputs/input.h"
@@ -33,6 +34,14 @@ Integer nearest_integer(Integer numerator, Integer denominator);
 // Uniform in [low, high]; shrinks towards the integer of the range that is nearest to zero.
 rc::Gen<Integer> whole(Integer low, Integer high);
 rc::Gen<IntegerPoint> integer_point(Integer low, Integer high);
+
+// One of the list's elements; shrinks towards the first. The list is copied once, since the generators are copied often.
+template <typename List>
+rc::Gen<typename List::value_type> one_of(const List& list) {
+  return rc::gen::map(
+      whole(0, static_cast<Integer>(list.size()) - 1),
+      [kept = std::make_shared<const List>(list)](Integer place) { return (*kept)[static_cast<std::size_t>(place)]; });
+}
 
 // A number from least to most. Small ones come more often, and `most` only near size 100. It does not shrink.
 rc::Gen<std::size_t> row_count(std::size_t least, std::size_t most);
@@ -59,6 +68,7 @@ rc::Gen<IntegerRotation> integer_rotation(Integer reach);
 // Turned by an integer rotation and shifted by a little.
 rc::Gen<IntegerPoints> placed(const rc::Gen<IntegerPoints>& points);
 
+IntegerPoints joined(IntegerPoints points, const IntegerPoints& more);
 // Without repeated points; the first of each stays.
 IntegerPoints distinct(const IntegerPoints& points);
 // Exact: all coordinates here are far below 2^53.
@@ -66,8 +76,10 @@ Input to_input(const IntegerPoints& points);
 
 // The same inputs, but they shrink by losing rows before anything else.
 rc::Gen<Input> shrink_by_removing(const rc::Gen<Input>& inputs);
-// The points as inputs that shrink by losing rows.
+// The points as inputs that shrink by losing rows; without repeated points; and placed as well.
 rc::Gen<Input> input_of(const rc::Gen<IntegerPoints>& points);
+rc::Gen<Input> distinct_input(const rc::Gen<IntegerPoints>& points);
+rc::Gen<Input> placed_distinct(const rc::Gen<IntegerPoints>& points);
 
 // ---- Points of spheres ----
 // All integer points of small integer spheres and circles about the origin: x²+y²+z² = N is the cheapest way

@@ -64,9 +64,7 @@ const std::vector<Star>& stars() {
 // Three of the points, which may repeat. None if the list is empty.
 rc::Gen<IntegerPoints> three_of(const IntegerPoints& points) {
   if (points.empty()) return rc::gen::just(IntegerPoints{});
-  const auto one = rc::gen::map(whole(0, static_cast<Integer>(points.size()) - 1),
-                                [points](Integer place) { return points[static_cast<std::size_t>(place)]; });
-  return rc::gen::container<IntegerPoints>(3, one);
+  return rc::gen::container<IntegerPoints>(3, one_of(points));
 }
 
 rc::Gen<IntegerPoint> point_well_below(Integer a) {
@@ -77,10 +75,7 @@ rc::Gen<IntegerPoint> point_well_below(Integer a) {
 rc::Gen<IntegerPoints> aimed_points_of(Integer a, Integer t) {
   return rc::gen::apply(
       [a, t](Integer lift, const IntegerPoints& sphere, const IntegerPoints& others) {
-        IntegerPoints points = {{-a, 0, 0}, {a, 0, 0}, {0, least_top(a, t) + lift, 0}};
-        points.insert(points.end(), sphere.begin(), sphere.end());
-        points.insert(points.end(), others.begin(), others.end());
-        return points;
+        return joined(joined({{-a, 0, 0}, {a, 0, 0}, {0, least_top(a, t) + lift, 0}}, sphere), others);
       },
       whole(0, 2), three_of(lower_sphere_points(a, t)), list_of(0, 4, point_well_below(a)));
 }
@@ -119,38 +114,23 @@ rc::Gen<IntegerPoints> aimed_points() {
 }
 
 rc::Gen<IntegerPoints> aimed_at_a_star() {
-  return rc::gen::mapcat(whole(0, static_cast<Integer>(stars().size()) - 1), [](Integer place) {
-    const Star star = stars()[static_cast<std::size_t>(place)];
+  return rc::gen::mapcat(one_of(stars()), [](const Star& star) {
     return rc::gen::apply(
         [star](Integer lift, const IntegerPoints& others) {
           const IntegerPoint top{0, least_top(star.a, star.t) + lift, 0};
-          IntegerPoints points = {{-star.a, 0, 0}, {star.a, 0, 0}, top, star.p, star.q};
-          points.insert(points.end(), others.begin(), others.end());
-          return points;
+          return joined({{-star.a, 0, 0}, {star.a, 0, 0}, top, star.p, star.q}, others);
         },
         whole(0, 2), list_of(0, 4, point_well_below(star.a)));
   });
 }
 
 rc::Gen<IntegerPoints> crowded_points() {
-  const auto place = whole(0, static_cast<Integer>(shell().size()) - 1);
-  const auto outside = rc::gen::map(place, [](Integer k) { return shell()[static_cast<std::size_t>(k)]; });
-  return rc::gen::apply(
-      [](Integer core, const IntegerPoints& others) {
-        IntegerPoints points = cores()[static_cast<std::size_t>(core)];
-        points.insert(points.end(), others.begin(), others.end());
-        return points;
-      },
-      whole(0, static_cast<Integer>(cores().size()) - 1), list_of(4, 8, outside));
+  return rc::gen::apply(joined, one_of(cores()), list_of(4, 8, one_of(shell())));
 }
 
 // ---- Families ----
 
 namespace {
-
-rc::Gen<Input> placed_distinct(const rc::Gen<IntegerPoints>& points) {
-  return input_of(rc::gen::map(placed(points), distinct));
-}
 
 std::vector<Family> table() {
   return {{"aimed-at-vertices",
