@@ -89,7 +89,7 @@ class Batch {
     const bool is_mutant = geometry::mixed_bits(seed ^ kSourceSalt) % 100 < plan_.searched_percent;
     if (!is_mutant || corpus_.empty()) return mix_.draw(seed);
     const Input& parent = corpus_[geometry::mixed_bits(seed ^ kParentSalt) % corpus_.size()];
-    Mutant mutant{parent, "", {}};
+    Mutant mutant{parent, {}};
     std::uint64_t dice = geometry::mixed_bits(seed ^ kMovesSalt);
     for (std::uint64_t moves = 1 + dice % kMostMoves; moves > 0; --moves) {
       dice = geometry::mixed_bits(dice);

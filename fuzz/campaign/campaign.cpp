@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "flowcert/reproducibility.h"
+#include "fuzz/campaign/child_process.h"
 
 namespace flowcert::fuzz {
 
@@ -52,13 +53,7 @@ class LineFile {
   LineFile& operator=(const LineFile&) = delete;
 
   void add(const std::string& line) {
-    const std::string text = line + '\n';
-    for (std::size_t done = 0; done < text.size();) {
-      const ssize_t more = ::write(descriptor_, text.data() + done, text.size() - done);
-      if (more < 0 && errno == EINTR) continue;
-      if (more < 0) refuse(path_, fmt::format("cannot be written: {}", std::strerror(errno)));
-      done += static_cast<std::size_t>(more);
-    }
+    if (!write_line(descriptor_, line)) refuse(path_, fmt::format("cannot be written: {}", std::strerror(errno)));
   }
 
  private:
@@ -314,7 +309,7 @@ void Campaign::absorb(const Discovery& discovery) {
   const auto known = signatures_.find(discovery.signature);
   if (known != signatures_.end() && known->second.number <= discovery.number) return;
   if (keeps_lines()) files_->signatures.add(message_of(discovery));
-  signatures_.insert_or_assign(discovery.signature, Discovered{discovery.number, discovery.input});
+  signatures_.insert_or_assign(discovery.signature, discovery);
 }
 
 void Campaign::absorb(const Campaign& part) {
@@ -322,7 +317,7 @@ void Campaign::absorb(const Campaign& part) {
   plan.shard = plan_.shard;
   if (plan != plan_) throw std::invalid_argument("a part of another campaign");
   for (const auto& [key, counterexample] : part.counterexamples_) absorb(counterexample);
-  for (const auto& [signature, where] : part.signatures_) absorb({signature, where.number, where.input});
+  for (const auto& [signature, discovery] : part.signatures_) absorb(discovery);
   for (const auto& [batch, tally] : part.done_) absorb_batch(batch, tally);
   made_by_.insert(part.made_by_.begin(), part.made_by_.end());
   if (files_) write_plan();

@@ -39,11 +39,6 @@ class UnusableFolder : public std::runtime_error {
 // The program's version and build. Programs of the same version have the same cases; only such ranks work together.
 [[nodiscard]] std::string program_version();
 
-struct Discovered {
-  std::size_t number = 0;
-  Input input;
-};
-
 class Campaign : public BatchSource {
  public:
   // The campaign is in memory alone. If `findings_folder` is not empty, counterexamples go there as point files. The
@@ -90,7 +85,7 @@ class Campaign : public BatchSource {
   [[nodiscard]] std::size_t failing_cases() const;
   // The number of all cases of the shard, if the campaign has a number of cases.
   [[nodiscard]] std::optional<std::size_t> expected_cases() const;
-  [[nodiscard]] const std::map<DegeneracySignature, Discovered>& signatures() const { return signatures_; }
+  [[nodiscard]] const std::map<DegeneracySignature, Discovery>& signatures() const { return signatures_; }
   // By number, then "PROPERTY KIND".
   [[nodiscard]] const std::map<std::pair<std::size_t, std::string>, Counterexample>& counterexamples() const {
     return counterexamples_;
@@ -125,7 +120,7 @@ class Campaign : public BatchSource {
   Tally sum_;  // of both
   std::size_t first_open_ = 0;
   std::set<std::size_t> handed_out_;
-  std::map<DegeneracySignature, Discovered> signatures_;
+  std::map<DegeneracySignature, Discovery> signatures_;
   std::map<std::pair<std::size_t, std::string>, Counterexample> counterexamples_;
   // By "PROPERTY KIND": the least numbers of cases, and those that were asked for. These cases have point files.
   std::map<std::string, std::set<std::size_t>> least_, asked_;

@@ -33,7 +33,7 @@ class Pipe {
   std::array<int, 2> ends_{-1, -1};
 };
 
-// False if the other end is gone.
+// False if it cannot be written, as where the other end is gone.
 [[nodiscard]] bool write_line(int descriptor, const std::string& line);
 
 class LineReader {

@@ -105,9 +105,9 @@ Row row_of(const std::string& line) {
 
 // "vertex 3 0 17": the kind, and numbers.
 std::string choice_text(const property::StartChoice& choice) {
-  std::string text = property::kStartKindNames.at(static_cast<std::size_t>(choice.kind));
-  for (const std::uint32_t number : choice.numbers) text += ' ' + std::to_string(number);
-  return text;
+  std::ostringstream text;
+  text << choice;
+  return text.str();
 }
 property::StartChoice choice_of(const std::string& text) {
   std::istringstream words(text);

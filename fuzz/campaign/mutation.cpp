@@ -21,12 +21,7 @@ using namespace geometry;
 // The generators have their own for integer points, which would hide these.
 using geometry::cross, geometry::dot;
 
-// A result and its rows, as in Mutant.
-struct Change {
-  Input input;
-  std::vector<std::size_t> rows;
-};
-using MaybeChange = std::optional<Change>;
+using MaybeMutant = std::optional<Mutant>;
 using MaybePoint = std::optional<RationalPoint>;
 
 // ---- Dice ----
@@ -227,7 +222,7 @@ constexpr int kTries = 8;
 constexpr int kEnough = 3;  // the place with the least factor is chosen of these
 
 struct Candidate {
-  Change change;
+  Mutant change;
   Rational factor;
 };
 
@@ -251,7 +246,7 @@ std::optional<Candidate> candidate(const Input& parent, std::size_t count, Place
   return Candidate{{std::move(placed->input), std::move(rows)}, std::move(placed->factor)};
 }
 
-MaybeChange move_to(const Input& parent, std::size_t count, Place place, rc::Random& random) {
+MaybeMutant move_to(const Input& parent, std::size_t count, Place place, rc::Random& random) {
   const std::size_t size = parent.rows.size();
   if (size < count) return std::nullopt;
   std::optional<Candidate> best;
@@ -282,14 +277,14 @@ std::optional<int> top_exponent(const Input& input) {
 
 // Snaps one row, or all of them, to a lattice. Its step is a power of two, and 1 to 32 steps reach the largest
 // coordinate. A quotient that is rounded here lies below the smallest normal number, and becomes zero.
-MaybeChange snap(const Input& parent, rc::Random& random) {
+MaybeMutant snap(const Input& parent, rc::Random& random) {
   const auto top = top_exponent(parent);
   if (!top) return std::nullopt;
   const int exponent = *top - static_cast<int>(below(random, 6));
   std::vector<std::size_t> rows(parent.rows.size());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
   if (below(random, 2) == 0) rows = {below(random, rows.size())};
-  Change change{parent, rows};
+  Mutant change{parent, rows};
   for (const std::size_t row : rows) {
     for (double& x : change.input.rows[row]) {
       // Adding zero turns a negative zero into a positive one.
@@ -300,49 +295,49 @@ MaybeChange snap(const Input& parent, rc::Random& random) {
 }
 
 // Puts a copy of a row at the end, or in place of another row.
-MaybeChange duplicate(const Input& parent, rc::Random& random) {
+MaybeMutant duplicate(const Input& parent, rc::Random& random) {
   const std::size_t size = parent.rows.size();
   if (size == 0) return std::nullopt;
   const bool is_new = size < kMostMutantRows && (size == 1 || below(random, 2) == 0);
   if (!is_new && size == 1) return std::nullopt;
   const std::vector<std::size_t> rows = choice(random, size, is_new ? 1 : 2);
   const std::size_t copy = is_new ? size : rows[1];
-  Change change{parent, {copy, rows[0]}};
+  Mutant change{parent, {copy, rows[0]}};
   change.input.rows.resize(std::max(size, copy + 1));
   change.input.rows[copy] = parent.rows[rows[0]];
   return change;
 }
 
-MaybeChange nudge_one(const Input& parent, rc::Random& random) {
+MaybeMutant nudge_one(const Input& parent, rc::Random& random) {
   if (parent.rows.empty()) return std::nullopt;
   const std::size_t row = below(random, parent.rows.size());
   const std::size_t axis = below(random, 3);
-  Change change{parent, {row}};
+  Mutant change{parent, {row}};
   double& x = change.input.rows[row][axis];
   x = nudged(x, below(random, 2) == 0 ? 1 : -1) + 0.0;
   return change;
 }
 
 // Copies a coordinate to another row, mostly of the same axis.
-MaybeChange copy_coordinate(const Input& parent, rc::Random& random) {
+MaybeMutant copy_coordinate(const Input& parent, rc::Random& random) {
   if (parent.rows.size() < 2) return std::nullopt;
   const std::vector<std::size_t> rows = choice(random, parent.rows.size(), 2);
   const std::size_t axis = below(random, 3);
   const std::size_t from = below(random, 4) == 0 ? below(random, 3) : axis;
-  Change change{parent, rows};
+  Mutant change{parent, rows};
   change.input.rows[rows[0]][axis] = parent.rows[rows[1]][from];
   return change;
 }
 
-MaybeChange remove_one(const Input& parent, rc::Random& random) {
+MaybeMutant remove_one(const Input& parent, rc::Random& random) {
   if (parent.rows.size() < 2) return std::nullopt;
-  Change change{parent, {}};
+  Mutant change{parent, {}};
   change.input.rows.erase(change.input.rows.begin() + static_cast<std::ptrdiff_t>(below(random, parent.rows.size())));
   return change;
 }
 
 // Adds a point at a small integer vector from another point, or from the origin if there is no point.
-MaybeChange add_one(const Input& parent, rc::Random& random) {
+MaybeMutant add_one(const Input& parent, rc::Random& random) {
   const std::size_t size = parent.rows.size();
   if (size >= kMostMutantRows) return std::nullopt;
   RationalPoint point = small_vector(random);
@@ -353,20 +348,20 @@ MaybeChange add_one(const Input& parent, rc::Random& random) {
   }
   auto placed = with_point(parent, size, point);
   if (!placed) return std::nullopt;
-  return Change{std::move(placed->input), std::move(rows)};
+  return Mutant{std::move(placed->input), std::move(rows)};
 }
 
 // Scales by a little, mostly. Otherwise it scales as far down or up as is exact, or anywhere between.
-MaybeChange scale(const Input& parent, rc::Random& random) {
+MaybeMutant scale(const Input& parent, rc::Random& random) {
   const bool is_far = below(random, 4) == 0;
   const int exponent = is_far ? exact_scalings(parent)(rc::Random(random.next()), 100).value()
                               : static_cast<int>(between(random, -8, 8));
   auto result = scaled(parent, exponent);
   if (!result) return std::nullopt;
-  return Change{*std::move(result), {}};
+  return Mutant{*std::move(result), {}};
 }
 
-MaybeChange turn(const Input& parent, rc::Random& random) {
+MaybeMutant turn(const Input& parent, rc::Random& random) {
   constexpr double kReach = 1024.0 * 1024 * 1024 * 1024;
   std::array<Integer, 4> quaternion{};
   for (Integer& entry : quaternion) entry = between(random, -2, 2);
@@ -377,7 +372,7 @@ MaybeChange turn(const Input& parent, rc::Random& random) {
       if (std::abs(x) >= kReach) return std::nullopt;
     }
   }
-  return Change{*std::move(result), {}};
+  return Mutant{*std::move(result), {}};
 }
 
 // ---- The list ----
@@ -391,10 +386,10 @@ bool is_allowed(const Input& mutant, const Input& parent) {
 
 template <typename Make>
 Mutation mutation(const std::string& name, const std::string& description, const Make& make) {
-  const auto apply = [name, make](const Input& parent, rc::Random& random) -> std::optional<Mutant> {
-    MaybeChange change = make(parent, random);
-    if (!change || !is_allowed(change->input, parent)) return std::nullopt;
-    return Mutant{std::move(change->input), name, std::move(change->rows)};
+  const auto apply = [name, make](const Input& parent, rc::Random& random) {
+    MaybeMutant mutant = make(parent, random);
+    if (mutant) mutant->by = name;
+    return mutant && is_allowed(mutant->input, parent) ? std::move(mutant) : std::nullopt;
   };
   return {name, description, apply};
 }

@@ -26,10 +26,10 @@ inline constexpr std::size_t kMostMutantRows = 12;
 
 struct Mutant {
   Input input;
-  std::string by;  // the mutation's name
   // The first of these rows of `input` has moved or is new. The others determine its place, in the order in which the
   // mutation's description names them. Empty if the mutation names no points.
   std::vector<std::size_t> rows;
+  std::string by = {};  // the mutation's name
 };
 
 struct Mutation {
