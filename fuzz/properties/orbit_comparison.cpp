@@ -5,20 +5,12 @@
 #include <sstream>
 #include <utility>
 
+#include "fuzz/properties/stable_pieces.h"
+
 namespace flowcert::property {
 namespace {
 
-std::vector<std::size_t> names_of(const std::vector<PointId>& contact) { return {contact.begin(), contact.end()}; }
-
-std::string to_text(const std::vector<std::size_t>& names) {
-  std::ostringstream text;
-  text << '{';
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    text << (k > 0 ? " " : "") << names[k];
-  }
-  text << '}';
-  return text.str();
-}
+std::string to_text(const Ids& names) { return text_of(names); }
 
 std::string to_text(const std::optional<RationalPoint>& x) { return x ? property::to_text(*x) : "infinity"; }
 
@@ -39,9 +31,8 @@ std::string difference_in(const std::string& what, const T& a, const T& b) {
 }  // namespace
 
 SegmentRecord record_of(FlowSegment segment) {
-  return {type_text(segment.type),         std::move(segment.start),          std::move(segment.driver),
-          names_of(segment.start_contact), names_of(segment.crossed_contact), std::move(segment.end),
-          names_of(segment.end_contact)};
+  return {type_text(segment.type),      std::move(segment.start), std::move(segment.driver), ids(segment.start_contact),
+          ids(segment.crossed_contact), std::move(segment.end),   ids(segment.end_contact)};
 }
 
 SegmentRecord record_of(const oracle::PointSet& set, const oracle::FlowSegment& segment) {
@@ -61,7 +52,7 @@ OrbitRecord record_of(Orbit orbit) {
   }
   if (orbit.limit) {
     record.limit = {std::move(orbit.limit->position), orbit.limit->index.face_dimension,
-                    orbit.limit->index.hull_dimension, names_of(orbit.limit->contact)};
+                    orbit.limit->index.hull_dimension, ids(orbit.limit->contact)};
   }
   return record;
 }

@@ -1,5 +1,5 @@
 // Stationary points of up to 12 points: the fast answer is the oracle's, and breaks no clause by itself.
-#include "fuzz/targets/property_complaint.h"
+#include "fuzz/properties/property.h"
 #include "fuzz/targets/target.h"
 
 namespace flowcert::fuzz {

@@ -1,7 +1,7 @@
 // One orbit among up to 10 points: all four ways to compute it give the oracle's, segment by segment.
 //
 // The first eight bytes choose the start: its kind, and seven numbers that say which points it goes by.
-#include "fuzz/targets/property_complaint.h"
+#include "fuzz/properties/property.h"
 #include "fuzz/targets/target.h"
 
 namespace flowcert::fuzz {

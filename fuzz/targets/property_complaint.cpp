@@ -1,7 +1,7 @@
-#include "fuzz/targets/property_complaint.h"
-
 #include <sstream>
 
+#include "fuzz/properties/property.h"
+#include "fuzz/targets/target.h"
 #include "geometry/contract.h"
 
 namespace flowcert::fuzz {

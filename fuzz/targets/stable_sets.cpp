@@ -1,5 +1,5 @@
 // Stable sets, index-2 and regular, of up to 8 points: both kernels give the oracle's, piece by piece.
-#include "fuzz/targets/property_complaint.h"
+#include "fuzz/properties/property.h"
 #include "fuzz/targets/target.h"
 
 namespace flowcert::fuzz {
