@@ -32,20 +32,20 @@ inline constexpr char kGeneratePurpose[] = "Cases for any program to answer, for
 inline constexpr char kVerifyPurpose[] = "Whether a program's answers to the cases of generate are right";
 inline constexpr char kViewPurpose[] = "The complex in a browser, with what is wrong with a claim";
 
-// Each function adds its subcommand, options and callback. The callback sets the exit status. It throws InvalidInput
-// or OutputError.
-void add_compute_command(CLI::App& app, int& status);
+// Each function adds its subcommand, options and callback, which throws InvalidInput or OutputError. Where the exit
+// status can be another than kRight, the callback sets it.
+void add_compute_command(CLI::App& app);
 void add_explain_command(CLI::App& app, int& status);
-void add_help_command(CLI::App& app, int& status);
-void add_locate_command(CLI::App& app, int& status);
-void add_medial_command(CLI::App& app, int& status);
-void add_orbit_command(CLI::App& app, int& status);
-void add_persistence_command(CLI::App& app, int& status);
-void add_pockets_command(CLI::App& app, int& status);
+void add_help_command(CLI::App& app);
+void add_locate_command(CLI::App& app);
+void add_medial_command(CLI::App& app);
+void add_orbit_command(CLI::App& app);
+void add_persistence_command(CLI::App& app);
+void add_pockets_command(CLI::App& app);
 // Several: completion, manual and share-files. They say what the program offers at the time when they are called.
-void add_shell_commands(CLI::App& app, int& status);
-void add_stats_command(CLI::App& app, int& status);
-void add_surface_command(CLI::App& app, int& status);
+void add_shell_commands(CLI::App& app);
+void add_stats_command(CLI::App& app);
+void add_surface_command(CLI::App& app);
 // In a program that was built without FLOWCERT_JUDGE, a name only.
 void add_view_command(CLI::App& app, int& status);
 

@@ -210,7 +210,7 @@ void add_export_options(CLI::App& command, ComputeOptions& options) {
 
 }  // namespace
 
-void add_compute_command(CLI::App& app, int& status) {
+void add_compute_command(CLI::App& app) {
   auto options = std::make_shared<ComputeOptions>();
   CLI::App* command = app.add_subcommand("compute", "All critical points, and what flows from them and to them");
   add_input_options(*command, options->input, options->reading,
@@ -240,10 +240,7 @@ void add_compute_command(CLI::App& app, int& status) {
       "  flowcert compute bunny.obj --manifolds u2,s2 --stats\n"
       "  flowcert compute bunny.obj --manifolds all --volumes exact -o bunny.jsonl\n"
       "  flowcert compute bunny.obj --export bunny-files");
-  command->callback([options, &status] {
-    compute(*options);
-    status = kRight;
-  });
+  command->callback([options] { compute(*options); });
 }
 
 }  // namespace flowcert::cli

@@ -51,15 +51,12 @@ void print_help(const CLI::App& app, const std::vector<std::string>& words) {
 
 }  // namespace
 
-void add_help_command(CLI::App& app, int& status) {
+void add_help_command(CLI::App& app) {
   auto words = std::make_shared<std::vector<std::string>>();
   CLI::App* command = app.add_subcommand("help", "What a word means, such as mouth or missed-by-cluster");
   command->add_option("WORD", *words, "This word, or the name of a command; all words, without it");
   command->footer("Examples:\n  flowcert help persistence\n  flowcert help pore limiting radius");
-  command->callback([&app, words, &status] {
-    print_help(app, *words);
-    status = kRight;
-  });
+  command->callback([&app, words] { print_help(app, *words); });
 }
 
 }  // namespace flowcert::cli

@@ -138,7 +138,7 @@ void locate_all(const LocateOptions& options) {
 
 }  // namespace
 
-void add_locate_command(CLI::App& app, int& status) {
+void add_locate_command(CLI::App& app) {
   auto options = std::make_shared<LocateOptions>();
   CLI::App* command = app.add_subcommand("locate", "Where the flow takes many positions; their nearest samples");
   add_input_options(*command, options->input, options->reading);
@@ -154,10 +154,7 @@ void add_locate_command(CLI::App& app, int& status) {
   command->footer(
       "Examples:\n  flowcert locate bunny.obj --points probes.xyz\n"
       "  flowcert locate bunny.obj --points probes.xyz --json -o places.jsonl");
-  command->callback([options, &status] {
-    locate_all(*options);
-    status = kRight;
-  });
+  command->callback([options] { locate_all(*options); });
 }
 
 }  // namespace flowcert::cli

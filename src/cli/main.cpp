@@ -65,23 +65,23 @@ void put_in_group(CLI::App& app, const char* group, std::initializer_list<const 
 }
 
 void add_commands(CLI::App& app, int& status) {
-  add_compute_command(app, status);
-  add_surface_command(app, status);
-  add_persistence_command(app, status);
-  add_pockets_command(app, status);
-  add_stats_command(app, status);
+  add_compute_command(app);
+  add_surface_command(app);
+  add_persistence_command(app);
+  add_pockets_command(app);
+  add_stats_command(app);
   add_view_command(app, status);
   add_explain_command(app, status);
-  add_orbit_command(app, status);
-  add_locate_command(app, status);
-  add_medial_command(app, status);
+  add_orbit_command(app);
+  add_locate_command(app);
+  add_medial_command(app);
   add_check_command(app, status);
   add_conformance_command(app, status);
   add_generate_command(app, status);
   add_verify_command(app, status);
   add_fuzz_command(app, status);
-  add_help_command(app, status);
-  add_shell_commands(app, status);
+  add_help_command(app);
+  add_shell_commands(app);
   put_in_group(app, "Compute", {"compute", "surface", "persistence", "pockets", "medial", "stats"});
   put_in_group(app, "Look closely", {"view", "explain", "orbit", "locate", "help"});
   put_in_group(app, "Judge claims and programs", {"check", "conformance", "generate", "verify", "fuzz"});

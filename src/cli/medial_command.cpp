@@ -137,7 +137,7 @@ void run_medial(const MedialOptions& options) {
 
 }  // namespace
 
-void add_medial_command(CLI::App& app, int& status) {
+void add_medial_command(CLI::App& app) {
   auto options = std::make_shared<MedialOptions>();
   CLI::App* command = app.add_subcommand("medial", "The medial axis: what flows from chosen saddles, for viewers");
   add_input_options(*command, options->input, options->reading);
@@ -173,10 +173,7 @@ void add_medial_command(CLI::App& app, int& status) {
       "Source: J. Giesen, E. A. Ramos, B. Sadri, Medial axis approximation and unstable flow complex, 2006.\n\n"
       "Examples:\n  flowcert medial bunny.obj --persistence q0.99 --export axis\n"
       "  flowcert medial bunny.obj --angle 175 --persistence auto");
-  command->callback([options, &status] {
-    run_medial(*options);
-    status = kRight;
-  });
+  command->callback([options] { run_medial(*options); });
 }
 
 }  // namespace flowcert::cli

@@ -117,7 +117,7 @@ void print_orbit(const OrbitOptions& options) {
 
 }  // namespace
 
-void add_orbit_command(CLI::App& app, int& status) {
+void add_orbit_command(CLI::App& app) {
   auto options = std::make_shared<OrbitOptions>();
   CLI::App* command = app.add_subcommand("orbit", "Where the flow takes a position, segment by segment");
   add_input_options(*command, options->input, options->reading);
@@ -132,10 +132,7 @@ void add_orbit_command(CLI::App& app, int& status) {
   command->footer(
       "Examples:\n  flowcert orbit bunny.obj --from -1/2,0.25,0x1p-3\n"
       "  flowcert orbit bunny.obj --from 0.01,0.02,0.03 --json");
-  command->callback([options, &status] {
-    print_orbit(*options);
-    status = kRight;
-  });
+  command->callback([options] { print_orbit(*options); });
 }
 
 }  // namespace flowcert::cli

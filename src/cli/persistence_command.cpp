@@ -322,7 +322,7 @@ std::string complaint_about_seed(const std::string& text) {
 
 }  // namespace
 
-void add_persistence_command(CLI::App& app, int& status) {
+void add_persistence_command(CLI::App& app) {
   auto options = std::make_shared<PersistenceOptions>();
   CLI::App* command = app.add_subcommand("persistence", "Persistence of the distance: components, tunnels, voids");
   add_input_options(*command, options->input, options->reading);
@@ -343,10 +343,7 @@ void add_persistence_command(CLI::App& app, int& status) {
   command->footer(
       "The pairs are those of the alpha complex, as GUDHI has them.\n\n"
       "Examples:\n  flowcert persistence bunny.obj -o bunny.pers\n  flowcert persistence bunny.obj --json >bunny.json");
-  command->callback([options, &status] {
-    print_persistence(*options);
-    status = kRight;
-  });
+  command->callback([options] { print_persistence(*options); });
 }
 
 }  // namespace flowcert::cli

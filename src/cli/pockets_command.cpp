@@ -182,7 +182,7 @@ void run_pockets(const PocketsOptions& options) {
 
 }  // namespace
 
-void add_pockets_command(CLI::App& app, int& status) {
+void add_pockets_command(CLI::App& app) {
   auto options = std::make_shared<PocketsOptions>();
   CLI::App* command = app.add_subcommand("pockets", "Cavities, pockets and channels between points; merge trees");
   add_input_options(*command, options->input, options->reading);
@@ -227,10 +227,7 @@ void add_pockets_command(CLI::App& app, int& status) {
       "Examples:\n  flowcert pockets bunny.obj\n"
       "  flowcert pockets protein.pdb --atoms \"no water,no ligands\" --probe 3.1\n"
       "  flowcert pockets bunny.obj --probe 0.002 --json >pockets.json");
-  command->callback([options, &status] {
-    run_pockets(*options);
-    status = kRight;
-  });
+  command->callback([options] { run_pockets(*options); });
 }
 
 }  // namespace flowcert::cli

@@ -53,7 +53,7 @@ void write_shared_files(const fs::path& folder, const DescribedCommand& program)
   }
 }
 
-void add_completion_command(CLI::App& app, int& status) {
+void add_completion_command(CLI::App& app) {
   auto shell = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("completion", "A script by which bash, zsh or fish completes words");
   command->group(kSetUpGroup);
@@ -64,41 +64,32 @@ void add_completion_command(CLI::App& app, int& status) {
       "  source <(flowcert completion zsh)        # in ~/.zshrc, after compinit\n"
       "  flowcert completion fish | source        # in ~/.config/fish/config.fish\n\n"
       "Examples:\n  flowcert completion bash >flowcert.bash\n  flowcert completion zsh >_flowcert");
-  command->callback([&app, shell, &status] {
-    fmt::print("{}", script_for(described(app), *shell));
-    status = kRight;
-  });
+  command->callback([&app, shell] { fmt::print("{}", script_for(described(app), *shell)); });
 }
 
-void add_manual_command(CLI::App& app, int& status) {
+void add_manual_command(CLI::App& app) {
   auto words = std::make_shared<std::vector<std::string>>();
   CLI::App* command = app.add_subcommand("manual", "The manual page of the program, or of a command, for man");
   command->group(kSetUpGroup);
   command->add_option("COMMAND", *words, "Of this command; of the program, without it");
   command->footer("Examples:\n  flowcert manual | man -l -\n  flowcert manual compute >flowcert-compute.1");
-  command->callback([&app, words, &status] {
-    fmt::print("{}", page_of(described(app), *words));
-    status = kRight;
-  });
+  command->callback([&app, words] { fmt::print("{}", page_of(described(app), *words)); });
 }
 
-void add_share_files_command(CLI::App& app, int& status) {
+void add_share_files_command(CLI::App& app) {
   auto folder = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("share-files", "What is installed in share/: pages and completions");
   command->group("");
   command->add_option("FOLDER", *folder, "Where to write it")->required()->check(complaint_about_path);
-  command->callback([&app, folder, &status] {
-    write_shared_files(*folder, described(app));
-    status = kRight;
-  });
+  command->callback([&app, folder] { write_shared_files(*folder, described(app)); });
 }
 
 }  // namespace
 
-void add_shell_commands(CLI::App& app, int& status) {
-  add_completion_command(app, status);
-  add_manual_command(app, status);
-  add_share_files_command(app, status);
+void add_shell_commands(CLI::App& app) {
+  add_completion_command(app);
+  add_manual_command(app);
+  add_share_files_command(app);
 }
 
 }  // namespace flowcert::cli

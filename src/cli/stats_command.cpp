@@ -143,7 +143,7 @@ void show_statistics(const StatsOptions& options) {
 
 }  // namespace
 
-void add_stats_command(CLI::App& app, int& status) {
+void add_stats_command(CLI::App& app) {
   auto options = std::make_shared<StatsOptions>();
   CLI::App* command = app.add_subcommand("stats", "Histograms of what flows: lengths of cascades, sizes of numbers");
   add_input_options(*command, options->input, options->reading);
@@ -161,10 +161,7 @@ void add_stats_command(CLI::App& app, int& status) {
   add_threads_option(*command, options->threads);
   command->footer(
       "Examples:\n  flowcert stats bunny.obj\n  flowcert stats bunny.obj --kernel lazy --svg bunny-histograms");
-  command->callback([options, &status] {
-    show_statistics(*options);
-    status = kRight;
-  });
+  command->callback([options] { show_statistics(*options); });
 }
 
 }  // namespace flowcert::cli

@@ -198,7 +198,7 @@ void write_surface(const SurfaceOptions& options) {
 
 }  // namespace
 
-void add_surface_command(CLI::App& app, int& status) {
+void add_surface_command(CLI::App& app) {
   auto options = std::make_shared<SurfaceOptions>();
   CLI::App* command = app.add_subcommand("surface", "Stable manifolds of index-2 points as a surface, all or selected");
   add_input_options(*command, options->input, options->reading);
@@ -219,10 +219,7 @@ void add_surface_command(CLI::App& app, int& status) {
   command->footer(
       "Examples:\n  flowcert surface bunny.obj --select 'index2-radius<1.6spacing' \\\n    -o bunny.ply\n"
       "  flowcert surface bunny.obj --select largest-gaps=20 -o - >gaps.ply");
-  command->callback([options, &status] {
-    write_surface(*options);
-    status = kRight;
-  });
+  command->callback([options] { write_surface(*options); });
 }
 
 }  // namespace flowcert::cli
