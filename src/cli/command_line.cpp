@@ -151,12 +151,7 @@ std::shared_ptr<CLI::FormatterBase> help_formatter() { return std::make_shared<H
 
 // ---- The nearest name ----
 
-namespace {
-
-using Names = std::vector<std::string>;
-
-// How many letters have to be put in, left out or replaced to make one word of the other. Neither Boost nor CLI11 has
-// it.
+// Neither Boost nor CLI11 has it.
 std::size_t edits_between(std::string_view one, std::string_view other) {
   std::vector<std::size_t> row(other.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -169,6 +164,10 @@ std::size_t edits_between(std::string_view one, std::string_view other) {
   }
   return row.back();
 }
+
+namespace {
+
+using Names = std::vector<std::string>;
 
 // Letters alone, so that "-v" and "version" are near "--version".
 std::string letters_of(const std::string& name) {

@@ -2,9 +2,11 @@
 // to write instead.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "cli/layer.h"
 
@@ -24,5 +26,8 @@ namespace flowcert::cli {
 // `words` are all of its words but the program's name.
 [[nodiscard]] std::string complaint_about(const CLI::App& app, const CLI::ParseError& error,
                                           std::span<const std::string> words);
+
+// How many letters have to be put in, left out or replaced to make one word of the other.
+[[nodiscard]] std::size_t edits_between(std::string_view one, std::string_view other);
 
 }  // namespace flowcert::cli

@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -20,6 +19,7 @@
 #include "cli/check_command.h"
 #include "cli/check_report.h"
 #include "cli/checked_words.h"
+#include "cli/command_line.h"
 #include "cli/conformance_page.h"
 #include "cli/conformance_report.h"
 #include "cli/progress.h"
@@ -59,26 +59,12 @@ struct ConformanceCommandOptions {
 
 bool has(const Names& names, const std::string& name) { return std::ranges::find(names, name) != names.end(); }
 
-// How many letters have to be left out, put in or replaced to make one word of the other.
-std::size_t distance_of(std::string_view one, std::string_view other) {
-  std::vector<std::size_t> row(other.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    std::size_t before = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < other.size(); ++j) {
-      const std::size_t replaced = before + (one[i] == other[j] ? 0 : 1);
-      before = std::exchange(row[j + 1], std::min({row[j] + 1, row[j + 1] + 1, replaced}));
-    }
-  }
-  return row.back();
-}
-
 // Every name that is asked for has to be one of the known ones. Otherwise these are listed, the nearest first.
 void require_known(const char* what, const Names& asked, Names known) {
   constexpr std::size_t kMostNames = 30;
   for (const std::string& name : asked) {
     if (has(known, name)) continue;
-    std::ranges::stable_sort(known, {}, [&](const std::string& one) { return distance_of(name, one); });
+    std::ranges::stable_sort(known, {}, [&](const std::string& one) { return edits_between(name, one); });
     const bool are_all = known.size() <= kMostNames;
     known.resize(std::min(known.size(), kMostNames));
     throw InvalidInput(fmt::format("there is no {} {}; there are: {}{}", what, in_quotes(name), fmt::join(known, ", "),
