@@ -34,9 +34,7 @@ void write_page(const fuzz::Counterexample& counterexample, const std::filesyste
     ::alarm(kMostSeconds);
     const std::string page = page_of(counterexample);
     ::alarm(0);
-    OutputFile file(path.string());
-    file.stream() << page;
-    file.commit();
+    write_whole_file(path.string(), [&](std::ostream& out) { out << page; });
   } catch (const std::exception&) {
     // What is thrown is a finding already, or the disk is full, which shows in the point files.
   }

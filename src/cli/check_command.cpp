@@ -78,9 +78,7 @@ CheckReport report_of(const CheckCommandOptions& options, const OtherTruth& orac
 template <typename Report>
 int told(const CheckCommandOptions& options, const CheckedFiles& files, const Report& report, const PointSet& points) {
   if (!options.junit.empty()) {
-    OutputFile file(options.junit);
-    write_check_junit(file.stream(), files, report);
-    file.commit();
+    io::write_whole_file(options.junit, [&](std::ostream& out) { write_check_junit(out, files, report); });
   }
   if (options.json) {
     print_check_json(files, report, points);

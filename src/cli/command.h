@@ -101,6 +101,16 @@ inline constexpr char kStandardStream[] = "-";
 // For all errors: a path may hold any byte.
 using io::on_one_line;
 
+// Runs the work. What is wrong with an input is said with this name before it.
+template <typename Work>
+auto naming(const std::string& name, const Work& work) {
+  try {
+    return work();
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(name + ": " + error.what());
+  }
+}
+
 // The name of the file for messages, on one line: "-" gets a readable name.
 [[nodiscard]] std::string display_name(const std::string& path);
 

@@ -108,15 +108,11 @@ void print_list(const std::vector<const VectorCase*>& cases) {
 
 // ---- Running
 
-void require_full_path(const char* option, const std::string& command) {
-  const std::string complaint = complaint_about_relative_path(command);
-  if (!complaint.empty()) throw InvalidInput(fmt::format("{}: {}", option, complaint));
-}
-
 // Runs a command once, on two points. A command that does not exist is better refused now than for every case.
 void require_runnable(const char* option, const std::string& command, const ConformanceOptions& options) {
   if (command.empty()) return;
-  require_full_path(option, command);
+  const std::string complaint = complaint_about_relative_path(command);
+  if (!complaint.empty()) throw InvalidInput(fmt::format("{}: {}", option, complaint));
   const ProgressLine progress("trying the command");
   const ScratchFolder scratch;
   const std::string points = options.points.format == PointFileFormat::kOff ? "OFF\n2 0 0\n" : "";
@@ -182,17 +178,14 @@ int run_cases(const ConformanceCommandOptions& options, const Vectors& vectors,
   return status_of(report.verdict(), options.is_strict);
 }
 
-Vectors vectors_of(const std::string& folder) {
-  const ProgressLine progress("reading the vectors");
-  return read_vectors(folder);
-}
-
 int conformance(ConformanceCommandOptions& options) {
   const Interruption interruption;
   options.run.limits.memory_bytes = std::uint64_t{options.memory_mebibytes} << 20;
   options.run.points.format = options.in_format == "off" ? PointFileFormat::kOff : PointFileFormat::kXyz;
   if (!options.run.keep.empty()) options.run.keep = fs::absolute(options.run.keep).string();
-  const Vectors vectors = vectors_of(options.folder.empty() ? usual_vectors_folder() : options.folder);
+  const Vectors vectors = with_progress("reading the vectors", [&] {
+    return read_vectors(options.folder.empty() ? usual_vectors_folder() : options.folder);
+  });
   const std::vector<const VectorCase*> cases = chosen_cases(vectors, options);
   if (options.list) {
     print_list(cases);

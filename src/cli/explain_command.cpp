@@ -111,17 +111,13 @@ std::string complaint_about_id(const std::string& word) {
   return fmt::format("'{}' is no id", word);
 }
 
-Explanation explanation_of(const ExplainOptions& options, const Input& input, const RationalPoint& position) {
-  const ProgressLine progress("explaining");
-  return options.position.empty() ? explain_points(input.points, options.ids)
-                                  : explain_position(input.points, position);
-}
-
 int explain(const ExplainOptions& options) {
   const bool by_position = !options.position.empty();
   const RationalPoint position = by_position ? parse_rational_point(options.position) : RationalPoint{};
   const Input input = read_input(options.input, options.reading);
-  const Explanation explanation = explanation_of(options, input, position);
+  const Explanation explanation = with_progress("explaining", [&] {
+    return by_position ? explain_position(input.points, position) : explain_points(input.points, options.ids);
+  });
   if (options.json) {
     print_json(explanation, input.file.atoms);
   } else {

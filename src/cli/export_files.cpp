@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "cli/command.h"
 #include "cli/progress.h"
 #include "flowcert/reproducibility.h"
 #include "io/number_text.h"
@@ -20,24 +21,36 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void make_directory(const std::string& directory) {
-  std::error_code error;
-  fs::create_directories(directory, error);
-  if (error) throw OutputError(fmt::format("{}: cannot be made: {}", directory, error.message()));
+void write_data(std::ostream& out, const PolyData& data, const std::string& made_by) { write_vtp(out, data, made_by); }
+void write_data(std::ostream& out, const UnstructuredGrid& data, const std::string& made_by) {
+  write_vtu(out, data, made_by);
 }
 
 }  // namespace
 
 std::optional<Rational> clip_factor(const std::string& text) {
   if (text == "none") return std::nullopt;
-  Rational factor = 0;
-  try {
-    factor = io::parse_rational(text);
-  } catch (const InvalidInput& error) {
-    throw InvalidInput(fmt::format("--clip: {}", error.what()));
-  }
+  const Rational factor = naming("--clip", [&] { return io::parse_rational(text); });
   if (factor < 1) throw InvalidInput("--clip: neither a number from 1 nor none: " + io::in_quotes(text));
   return factor;
+}
+
+std::optional<ClipBox> clip_box(const PointSet& points, const std::optional<Rational>& factor) {
+  if (!factor || points.empty()) return std::nullopt;
+  return ClipBox(points, *factor);
+}
+
+void make_directory(const std::string& directory) {
+  std::error_code error;
+  fs::create_directories(directory, error);
+  if (error) throw OutputError(fmt::format("{}: cannot be made: {}", directory, error.message()));
+}
+
+void write_export(const std::string& directory, const std::string& name, const FlowComplex& complex,
+                  const WriteExport& write) {
+  const ProgressLine progress("writing " + name);
+  io::write_whole_file((fs::path(directory) / name).string(),
+                       [&](std::ostream& out) { write(out, made_by_text("flowcert-export", 1, complex.points())); });
 }
 
 ExportFiles::ExportFiles(ExportChoice choice, std::string input_name)
@@ -49,21 +62,38 @@ ExportFiles::ExportFiles(ExportChoice choice, std::string input_name)
 }
 
 void ExportFiles::write_after(const FlowComplex& complex, FlowComplexPart part) {
-  if (part == FlowComplexPart::kStationary && choice_.critical) write_critical_points(complex);
+  const auto box = [&] { return clip_box(complex.points(), choice_.clip); };
+  if (part == FlowComplexPart::kStationary && choice_.critical) {
+    write(complex, "critical_points.vtp", "critical points",
+          [&](ProgressLine& progress) { return critical_point_data(complex, std::ref(progress)); });
+  }
   if (part == FlowComplexPart::kStable && choice_.surfaces) write_surfaces(complex);
-  if (part == FlowComplexPart::kUnstable && choice_.lines) write_lines(complex);
-  if (part == FlowComplexPart::kLimits && choice_.fans) write_fans(complex);
-  if (part == FlowComplexPart::kVolumes && choice_.cells) write_cells(complex);
-  if (part == FlowComplexPart::kVolumes && choice_.infinity) write_infinity(complex);
-  if (part == FlowComplexPart::kVolumes && choice_.sheets) write_sheets(complex);
+  if (part == FlowComplexPart::kUnstable && choice_.lines) {
+    write(complex, "unstable_lines.vtp", "unstable manifolds",
+          [&](ProgressLine& progress) { return unstable_line_data(complex, box(), std::ref(progress)); });
+  }
+  if (part == FlowComplexPart::kLimits && choice_.fans) {
+    write(complex, "unstable_fans.vtp", "unstable manifolds of index-1 points",
+          [&](ProgressLine&) { return unstable_fan_data(complex); });
+  }
+  if (part != FlowComplexPart::kVolumes) return;
+  if (choice_.cells) {
+    write(complex, "stable_cells.vtu", "stable sets of dimension 3",
+          [&](ProgressLine&) { return stable_cell_data(complex); });
+  }
+  if (choice_.infinity) {
+    write(complex, "infinity_cells.vtu", "the stable set of infinity",
+          [&](ProgressLine&) { return infinity_cell_data(complex, box()); });
+  }
+  if (choice_.sheets) write_sheets(complex);
 }
 
-void ExportFiles::write_critical_points(const FlowComplex& complex) {
-  constexpr const char* kName = "critical_points.vtp";
-  attempt(kName, [&] {
-    ProgressLine progress("exporting critical points");
-    const PolyData data = critical_point_data(complex, std::ref(progress));
-    write_file(kName, complex, [&](std::ostream& out, const std::string& made_by) { write_vtp(out, data, made_by); });
+template <typename Make>
+void ExportFiles::write(const FlowComplex& complex, const char* name, const char* what, const Make& make) {
+  attempt(name, [&] {
+    ProgressLine progress(std::string("exporting ") + what);
+    const auto data = make(progress);
+    write_file(name, complex, [&](std::ostream& out, const std::string& made_by) { write_data(out, data, made_by); });
   });
 }
 
@@ -83,49 +113,13 @@ void ExportFiles::write_surfaces(const FlowComplex& complex) {
   });
 }
 
-void ExportFiles::write_lines(const FlowComplex& complex) {
-  constexpr const char* kName = "unstable_lines.vtp";
-  attempt(kName, [&] {
-    ProgressLine progress("exporting unstable manifolds");
-    const PolyData data = unstable_line_data(complex, box(complex), std::ref(progress));
-    write_file(kName, complex, [&](std::ostream& out, const std::string& made_by) { write_vtp(out, data, made_by); });
-  });
-}
-
-void ExportFiles::write_fans(const FlowComplex& complex) {
-  constexpr const char* kName = "unstable_fans.vtp";
-  attempt(kName, [&] {
-    const ProgressLine progress("exporting unstable manifolds of index-1 points");
-    const PolyData data = unstable_fan_data(complex);
-    write_file(kName, complex, [&](std::ostream& out, const std::string& made_by) { write_vtp(out, data, made_by); });
-  });
-}
-
-void ExportFiles::write_cells(const FlowComplex& complex) {
-  constexpr const char* kName = "stable_cells.vtu";
-  attempt(kName, [&] {
-    const ProgressLine progress("exporting stable sets of dimension 3");
-    const UnstructuredGrid data = stable_cell_data(complex);
-    write_file(kName, complex, [&](std::ostream& out, const std::string& made_by) { write_vtu(out, data, made_by); });
-  });
-}
-
-void ExportFiles::write_infinity(const FlowComplex& complex) {
-  constexpr const char* kName = "infinity_cells.vtu";
-  attempt(kName, [&] {
-    const ProgressLine progress("exporting the stable set of infinity");
-    const UnstructuredGrid data = infinity_cell_data(complex, box(complex));
-    write_file(kName, complex, [&](std::ostream& out, const std::string& made_by) { write_vtu(out, data, made_by); });
-  });
-}
-
 void ExportFiles::write_sheets(const FlowComplex& complex) {
   constexpr const char *kDataName = "unstable_surfaces.vtp", *kMeshName = "unstable_surfaces.ply";
   std::optional<UnstableSurfaceExport> surfaces;
   attempt(kDataName, [&] {
     make_directory(choice_.directory);
     ProgressLine progress("exporting unstable manifolds of index-1 points");
-    surfaces.emplace(complex, box(complex), choice_.directory, std::ref(progress));
+    surfaces.emplace(complex, clip_box(complex.points(), choice_.clip), choice_.directory, std::ref(progress));
     write_file(kDataName, complex,
                [&](std::ostream& out, const std::string& made_by) { surfaces->write_vtp(out, made_by); });
   });
@@ -135,17 +129,9 @@ void ExportFiles::write_sheets(const FlowComplex& complex) {
   });
 }
 
-std::optional<ClipBox> ExportFiles::box(const FlowComplex& complex) const {
-  if (!choice_.clip || complex.points().empty()) return std::nullopt;
-  return ClipBox(complex.points(), *choice_.clip);
-}
-
-void ExportFiles::write_file(const char* name, const FlowComplex& complex, const Write& write) {
+void ExportFiles::write_file(const char* name, const FlowComplex& complex, const WriteExport& write) {
   make_directory(choice_.directory);
-  const ProgressLine progress(std::string("writing ") + name);
-  OutputFile file((fs::path(choice_.directory) / name).string());
-  write(file.stream(), made_by_text("flowcert-export", 1, complex.points()));
-  file.commit();
+  write_export(choice_.directory, name, complex, write);
   written_.emplace_back(name);
 }
 

@@ -26,6 +26,17 @@ struct ExportChoice {
 // How large the box is at which files end, from the text of --clip: a number from 1, or none. Throws InvalidInput.
 [[nodiscard]] std::optional<Rational> clip_factor(const std::string& text);
 
+// The box at which what goes to infinity ends; nothing for no factor, or no points.
+[[nodiscard]] std::optional<ClipBox> clip_box(const PointSet& points, const std::optional<Rational>& factor);
+
+// Throws OutputError.
+void make_directory(const std::string& directory);
+
+// Puts a file into the directory. `write` is told what the file was made by.
+using WriteExport = std::function<void(std::ostream& out, const std::string& made_by)>;
+void write_export(const std::string& directory, const std::string& name, const FlowComplex& complex,
+                  const WriteExport& write);
+
 class ExportFiles {
  public:
   // input_name is for messages. Throws OutputError if the directory exists and is none.
@@ -35,17 +46,12 @@ class ExportFiles {
   void write_after(const FlowComplex& complex, FlowComplexPart part);
 
  private:
-  using Write = std::function<void(std::ostream& out, const std::string& made_by)>;
-
-  void write_critical_points(const FlowComplex& complex);
+  // Makes the data of a file by make(progress), and writes it. what: is exported, for the line of progress.
+  template <typename Make>
+  void write(const FlowComplex& complex, const char* name, const char* what, const Make& make);
   void write_surfaces(const FlowComplex& complex);
-  void write_lines(const FlowComplex& complex);
-  void write_fans(const FlowComplex& complex);
-  void write_cells(const FlowComplex& complex);
-  void write_infinity(const FlowComplex& complex);
   void write_sheets(const FlowComplex& complex);
-  [[nodiscard]] std::optional<ClipBox> box(const FlowComplex& complex) const;
-  void write_file(const char* name, const FlowComplex& complex, const Write& write);
+  void write_file(const char* name, const FlowComplex& complex, const WriteExport& write);
   // Runs what writes a file. An error says which file it was and which are there.
   void attempt(const char* name, const std::function<void()>& write);
   [[nodiscard]] std::string what_stays() const;

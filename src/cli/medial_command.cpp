@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "cli/automatic_threshold.h"
@@ -17,21 +15,16 @@
 #include "cli/progress.h"
 #include "cli/table.h"
 #include "flowcert/flow_complex.h"
-#include "flowcert/reproducibility.h"
-#include "io/clip_box.h"
 #include "io/json_fields.h"
 #include "io/length_text.h"
 #include "io/medial_points.h"
 #include "io/number_text.h"
-#include "io/output_file.h"
 #include "io/unstable_surface_export.h"
 #include "io/vtk_exports.h"
 
 namespace flowcert::cli {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 struct MedialOptions {
   std::string input;
@@ -58,27 +51,20 @@ MedialChoice choice_of(const MedialOptions& options) {
 
 void write_files(const MedialOptions& options, const FlowComplex& complex, const std::vector<std::size_t>& records,
                  const std::optional<Rational>& clip) {
-  std::error_code error;
-  fs::create_directories(options.directory, error);
-  if (error) throw OutputError(fmt::format("{}: cannot be made: {}", options.directory, error.message()));
-  const std::string made_by = made_by_text("flowcert-export", 1, complex.points());
-  const std::optional<ClipBox> box =
-      clip && !complex.points().empty() ? std::optional<ClipBox>(std::in_place, complex.points(), *clip) : std::nullopt;
-  const auto write = [&](const char* name, const auto& how) {
-    const ProgressLine progress(std::string("writing ") + name);
-    OutputFile file((fs::path(options.directory) / name).string());
-    how(file.stream());
-    file.commit();
+  make_directory(options.directory);
+  const std::optional<ClipBox> box = clip_box(complex.points(), clip);
+  const auto write = [&](const char* name, const WriteExport& how) {
+    write_export(options.directory, name, complex, how);
   };
   {
     ProgressLine progress("exporting unstable manifolds of index-1 points");
     const UnstableSurfaceExport sheets(complex, box, options.directory, std::ref(progress), &records);
-    write("medial_sheets.vtp", [&](std::ostream& out) { sheets.write_vtp(out, made_by); });
-    write("medial_sheets.ply", [&](std::ostream& out) { sheets.write_ply(out, made_by); });
+    write("medial_sheets.vtp", [&](std::ostream& out, const std::string& made_by) { sheets.write_vtp(out, made_by); });
+    write("medial_sheets.ply", [&](std::ostream& out, const std::string& made_by) { sheets.write_ply(out, made_by); });
   }
   ProgressLine progress("exporting unstable manifolds of index-2 points");
   const PolyData lines = unstable_line_data(complex, box, std::ref(progress), &records);
-  write("medial_lines.vtp", [&](std::ostream& out) { write_vtp(out, lines, made_by); });
+  write("medial_lines.vtp", [&](std::ostream& out, const std::string& made_by) { write_vtp(out, lines, made_by); });
 }
 
 std::array<std::size_t, 2> counts_of(const FlowComplex& complex, const std::vector<std::size_t>& records) {
@@ -126,11 +112,7 @@ void run_medial(const MedialOptions& options) {
   const FlowComplex complex(input.points, complex_options(input, options.threads), part_progress());
   const MedialPoints medial = medial_points(complex, choice);
   if (!options.directory.empty()) {
-    try {
-      write_files(options, complex, medial.records, clip);
-    } catch (const InvalidInput& error) {
-      throw InvalidInput(fmt::format("{}: {}", display_name(options.input), error.what()));
-    }
+    naming(display_name(options.input), [&] { write_files(options, complex, medial.records, clip); });
   }
   print_result(options, input, complex, medial);
 }

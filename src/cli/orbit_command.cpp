@@ -86,28 +86,15 @@ void print_json(const Orbit& orbit, const Input& input) {
   fmt::print("{}\n", json.dump());
 }
 
-RationalPoint parse_start(const std::string& text) {
-  try {
-    return parse_rational_point(text);
-  } catch (const InvalidInput& error) {
-    throw InvalidInput(fmt::format("--from: {}", error.what()));
-  }
-}
-
-Orbit orbit_of(const FlowComplex& complex, const RationalPoint& start) {
-  const ProgressLine progress("following the orbit");
-  return complex.orbit(start);
-}
-
 void print_orbit(const OrbitOptions& options) {
-  const RationalPoint start = parse_start(options.start);
+  const RationalPoint start = naming("--from", [&] { return parse_rational_point(options.start); });
   const Input input = read_input(options.input, options.reading);
   if (input.points.empty()) {
     throw InvalidInput(fmt::format("{}: there are no points", display_name(options.input)));
   }
   const FlowComplex complex(input.points, complex_options(input, options.threads, options.flow.options()),
                             part_progress());
-  const Orbit orbit = orbit_of(complex, start);
+  const Orbit orbit = with_progress("following the orbit", [&] { return complex.orbit(start); });
   if (options.json) {
     print_json(orbit, input);
   } else {

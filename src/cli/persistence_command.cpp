@@ -273,25 +273,16 @@ void print_json(const Input& input, const PersistenceRun& run, const Persistence
   fmt::print("]}}\n");
 }
 
-PersistenceDiagram diagram_of(const FlowComplex& complex, bool with_zero) {
-  const ProgressLine progress("pairs");
-  return {complex, with_zero};
-}
-
 std::string text_of(const PersistenceOptions& options, const PersistenceDiagram& diagram) {
   const ProgressLine progress("pairs");
-  try {
+  return naming(display_name(options.input), [&] {
     return pers_text(diagram, options.is_plain ? PersistenceValues::kPlain : PersistenceValues::kSquared);
-  } catch (const InvalidInput& error) {
-    throw InvalidInput(fmt::format("{}: {}", display_name(options.input), error.what()));
-  }
+  });
 }
 
-void write_file(const PersistenceOptions& options, const std::string& text) {
+void write_file(const std::string& path, const std::string& text) {
   const ProgressLine progress("writing pairs");
-  OutputFile file(options.output);
-  file.stream() << text;
-  file.commit();
+  io::write_whole_file(path, [&](std::ostream& out) { out << text; });
 }
 
 void print_persistence(const PersistenceOptions& options) {
@@ -301,10 +292,10 @@ void print_persistence(const PersistenceOptions& options) {
   const Input input = read_input(options.input, options.reading);
   const PersistenceRun run(input, options.seed, options.threads);
   tell_of_many_cells(run.complex);
-  const PersistenceDiagram diagram = diagram_of(run.complex, options.with_zero);
+  const auto diagram = with_progress("pairs", [&] { return PersistenceDiagram(run.complex, options.with_zero); });
   const bool is_streamed = options.output == kStandardStream;
   if (is_streamed) fmt::print("{}", text_of(options, diagram));
-  if (!is_streamed && !options.output.empty()) write_file(options, text_of(options, diagram));
+  if (!is_streamed && !options.output.empty()) write_file(options.output, text_of(options, diagram));
   if (options.json) {
     print_json(input, run, diagram, options.seed);
   } else if (!is_streamed) {

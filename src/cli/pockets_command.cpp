@@ -10,15 +10,14 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/export_files.h"
 #include "cli/layer.h"
 #include "cli/pockets_report.h"
 #include "cli/progress.h"
 #include "flowcert/flow_complex.h"
-#include "flowcert/reproducibility.h"
 #include "io/number_text.h"
 #include "io/output_file.h"
 #include "io/pocket_persistence.h"
@@ -29,8 +28,6 @@
 namespace flowcert::cli {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 struct PocketsOptions {
   std::string input;
@@ -85,22 +82,13 @@ struct PocketsRun {
 
 // ---- Files ----
 
-void write_file(const fs::path& path, const FlowComplex& complex,
-                const std::function<void(std::ostream&, const std::string&)>& write) {
-  const ProgressLine progress("writing " + path.filename().string());
-  OutputFile file(path.string());
-  write(file.stream(), made_by_text("flowcert-export", 1, complex.points()));
-  file.commit();
-}
-
 void write_files(const PocketsOptions& options, const PocketsRun& run, const PocketsToWrite& what) {
-  const fs::path directory = options.directory;
-  std::error_code error;
-  fs::create_directories(directory, error);
-  if (error) throw OutputError(fmt::format("{}: cannot be made: {}", options.directory, error.message()));
+  make_directory(options.directory);
   const UnstructuredGrid grid = pocket_cell_data(run.complex, *run.pockets);
   const std::vector<PocketSurface> surfaces = pocket_surfaces(run.complex, *run.pockets);
-  const auto write = [&](const std::string& name, const auto& how) { write_file(directory / name, run.complex, how); };
+  const auto write = [&](const std::string& name, const WriteExport& how) {
+    write_export(options.directory, name, run.complex, how);
+  };
   write("pockets.vtu", [&](std::ostream& out, const std::string& made_by) { write_vtu(out, grid, made_by); });
   for (std::size_t number = 0; number < surfaces.size(); ++number) {
     write(fmt::format("pocket_{}.ply", number), [&](std::ostream& out, const std::string& made_by) {
@@ -126,10 +114,8 @@ bool write_csv(const std::string& path, const PocketsToWrite& what,
     return true;
   }
   if (!path.empty()) {
-    const ProgressLine progress("writing " + fs::path(path).filename().string());
-    OutputFile file(path);
-    write(file.stream(), what);
-    file.commit();
+    const ProgressLine progress("writing " + std::filesystem::path(path).filename().string());
+    io::write_whole_file(path, [&](std::ostream& out) { write(out, what); });
   }
   return false;
 }
@@ -162,11 +148,7 @@ void run_pockets(const PocketsOptions& options) {
   const PocketsRun run(input, options);
   const PocketsToWrite what{run.complex, *run.pockets, probe, options.volumes == "exact", atoms};
   if (!options.directory.empty()) {
-    try {
-      write_files(options, run, what);
-    } catch (const InvalidInput& error) {
-      throw InvalidInput(fmt::format("{}: {}", display_name(options.input), error.what()));
-    }
+    naming(display_name(options.input), [&] { write_files(options, run, what); });
   }
   const bool is_rows_printed = write_csv(options.csv, what, write_pocket_csv);
   const bool is_lining_printed = write_csv(options.atoms_csv, what, write_lining_csv);

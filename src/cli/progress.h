@@ -50,6 +50,13 @@ class ProgressLine {
   bool is_shown_;
 };
 
+// Runs the work below a line that says what it is.
+template <typename Work>
+auto with_progress(const char* what, const Work& work) {
+  const ProgressLine progress(what);
+  return work();
+}
+
 // The progress of a flow complex while it is computed. Each of its parts has a line, one after the other.
 class PartProgress {
  public:

@@ -38,9 +38,7 @@ std::string page_of(const DescribedCommand& program, const std::vector<std::stri
 
 void write_shared_file(const fs::path& path, const std::string& text) {
   fs::create_directories(path.parent_path());
-  OutputFile file(path.string());
-  file.stream() << text;
-  file.commit();
+  io::write_whole_file(path.string(), [&](std::ostream& out) { out << text; });
 }
 
 void write_shared_files(const fs::path& folder, const DescribedCommand& program) {

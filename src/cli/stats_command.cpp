@@ -10,13 +10,13 @@
 #include <memory>
 #include <set>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "cli/command.h"
 #include "cli/compute_report.h"
 #include "cli/compute_run.h"
+#include "cli/export_files.h"
 #include "cli/histogram.h"
 #include "cli/histogram_svg.h"
 #include "io/json_fields.h"
@@ -104,14 +104,6 @@ void print_json(const StatsOptions& options, const Input& input, const Measured&
   fmt::print("{}\n", json.dump());
 }
 
-// Called before anything is computed.
-void make_picture_directory(const std::string& directory) {
-  std::error_code error;
-  fs::create_directories(directory, error);
-  if (!error && !fs::is_directory(directory)) error = std::make_error_code(std::errc::not_a_directory);
-  if (error) throw OutputError(fmt::format("{}: cannot be made: {}", directory, error.message()));
-}
-
 void write_pictures(const StatsOptions& options, const std::vector<Shown>& all) {
   const std::string source =
       fmt::format("{}, kernel {}", fs::path(display_name(options.input)).filename().string(), options.u2.flow.kernel);
@@ -121,15 +113,13 @@ void write_pictures(const StatsOptions& options, const std::vector<Shown>& all) 
     files.emplace_back(path.string(), histogram_svg(shown.histogram, source));
   }
   for (const auto& [path, text] : files) {
-    OutputFile file(path);
-    file.stream() << text;
-    file.commit();
+    io::write_whole_file(path, [&](std::ostream& out) { out << text; });
   }
 }
 
 void show_statistics(const StatsOptions& options) {
   const Input input = read_input(options.input, options.reading);
-  if (!options.svg_directory.empty()) make_picture_directory(options.svg_directory);
+  if (!options.svg_directory.empty()) make_directory(options.svg_directory);
   const FlowOptions how = complex_options(input, options.threads, options.u2.options());
   const Measured measured = measure(input.points, options.runs, how, wanted_parts(options));
   const std::vector<Shown> all = histograms_of(measured, options.logarithmic);

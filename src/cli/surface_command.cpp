@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -50,45 +51,22 @@ void write_mesh(const std::string& path, const SurfaceMesh& mesh, const std::str
     std::cout.flush();
     return;
   }
-  OutputFile file(path);
-  write(file.stream(), mesh, made_by);
-  file.commit();
+  io::write_whole_file(path, [&](std::ostream& out) { write(out, mesh, made_by); });
 }
 
-struct Counts {
-  std::size_t sets = 0, selected = 0, triangles = 0, vertices = 0, with_interval = 0;
-  TriangleEdges edges;
-};
+struct Surface {
+  const SurfaceOptions& options;
+  const Input& input;
+  const FlowComplex& complex;
+  const morse::SaddleRadii& radii;
+  const SelectedSets& selected;
+  const SurfaceMesh& mesh;
 
-Counts counts_of(const FlowComplex& complex, const std::vector<std::size_t>& sets, const SurfaceMesh& mesh) {
-  Counts counts = {.sets = complex.stationary().critical_counts()[2],
-                   .selected = sets.size(),
-                   .triangles = mesh.triangles.size(),
-                   .vertices = mesh.vertices.size(),
-                   .edges = mesh.edges};
-  for (const std::size_t set : sets) counts.with_interval += complex.stable().has_interval(set) ? 1 : 0;
-  return counts;
-}
-
-morse::SaddleRadii radii_of(const FlowComplex& complex) {
-  const ProgressLine progress("computing");
-  return morse::SaddleRadii(complex);
-}
-
-SelectedSets selected_of(const FlowComplex& complex, const SurfaceSelection& selection,
-                         const morse::SaddleRadii& radii) {
-  const ProgressLine progress("computing");
-  return selection.select(complex, radii);
-}
-
-SurfaceMesh mesh_of(const SurfaceOptions& options, const FlowComplex& complex, const std::vector<std::size_t>& sets) {
-  ProgressLine progress("surface");
-  try {
-    return surface_mesh(complex, sets, std::ref(progress));
-  } catch (const InvalidInput& error) {
-    throw InvalidInput(fmt::format("{}: {}", display_name(options.input), error.what()));
+  [[nodiscard]] std::size_t with_interval() const {
+    const auto has_interval = [this](std::size_t set) { return complex.stable().has_interval(set); };
+    return static_cast<std::size_t>(std::ranges::count_if(selected.sets, has_interval));
   }
-}
+};
 
 void print_edges(const TriangleEdges& edges) {
   print_row("edges of two triangles", with_commas(edges.manifold));
@@ -114,18 +92,18 @@ void print_thresholds(const SurfaceThresholds& thresholds, const morse::SaddleRa
   }
 }
 
-void print_table(const SurfaceOptions& options, const Input& input, const Counts& counts,
-                 const SurfaceThresholds& thresholds, const morse::SaddleRadii& radii) {
-  print_wrapped(fmt::format("{} ({})", display_name(options.input), input.file.format));
-  print_row("points", with_commas(input.points.row_count()));
-  print_row("surfaces S2", with_commas(counts.sets), "of all index-2 saddles");
-  print_row("selected", with_commas(counts.selected));
-  print_row("with parts of dimension 3", with_commas(counts.with_interval), "of these; no surface has them");
-  print_row("triangles", with_commas(counts.triangles));
-  print_row("vertices", with_commas(counts.vertices));
-  print_edges(counts.edges);
-  print_thresholds(thresholds, radii);
-  print_radius_bars(radii, thresholds.squared_radius_below);
+void print_table(const Surface& surface) {
+  const SurfaceThresholds& thresholds = surface.selected.thresholds;
+  print_wrapped(fmt::format("{} ({})", display_name(surface.options.input), surface.input.file.format));
+  print_row("points", with_commas(surface.input.points.row_count()));
+  print_row("surfaces S2", with_commas(surface.complex.stationary().critical_counts()[2]), "of all index-2 saddles");
+  print_row("selected", with_commas(surface.selected.sets.size()));
+  print_row("with parts of dimension 3", with_commas(surface.with_interval()), "of these; no surface has them");
+  print_row("triangles", with_commas(surface.mesh.triangles.size()));
+  print_row("vertices", with_commas(surface.mesh.vertices.size()));
+  print_edges(surface.mesh.edges);
+  print_thresholds(thresholds, surface.radii);
+  print_radius_bars(surface.radii, thresholds.squared_radius_below);
 }
 
 // An exact number with its nearest double; null for none.
@@ -135,44 +113,34 @@ void add_exact(Json& object, const std::string& key, const std::optional<Rationa
 }
 
 Json edges_field(const TriangleEdges& edges) {
-  Json field;
-  field["boundary"] = edges.boundary;
-  field["manifold"] = edges.manifold;
-  field["not_manifold"] = edges.non_manifold;
-  field["components"] = edges.components;
-  field["without_orientation"] = edges.without_orientation;
-  return field;
+  return {{"boundary", edges.boundary},
+          {"manifold", edges.manifold},
+          {"not_manifold", edges.non_manifold},
+          {"components", edges.components},
+          {"without_orientation", edges.without_orientation}};
 }
 
-Json radii_field(const morse::SaddleRadii& radii) {
-  Json field = Json::array();
-  for (const HistogramBin& bin : radii.histogram()) {
-    Json entry;
-    entry["from"] = nearest_or_infinity(bin.from);
-    entry["to"] = nearest_or_infinity(bin.to);
-    entry["count"] = bin.count;
-    field.push_back(std::move(entry));
-  }
-  return field;
-}
-
-void print_json(const SurfaceOptions& options, const Input& input, const FlowComplex& complex, const Counts& counts,
-                const SurfaceThresholds& thresholds, const morse::SaddleRadii& radii) {
-  Json json = header_fields("flowcert-surface", 2, input.points);
-  add_counts(json, input.points, complex.stationary());
-  json["select"] = options.selections;
-  json["sets"] = counts.sets;
-  json["selected"] = counts.selected;
-  json["with_interval"] = counts.with_interval;
-  json["triangles"] = counts.triangles;
-  json["vertices"] = counts.vertices;
-  json["edges"] = edges_field(counts.edges);
-  add_exact(json, "squared_spacing", radii.squared_spacing());
+void print_json(const Surface& surface) {
+  const SurfaceThresholds& thresholds = surface.selected.thresholds;
+  Json json = header_fields("flowcert-surface", 2, surface.input.points);
+  add_counts(json, surface.input.points, surface.complex.stationary());
+  json["select"] = surface.options.selections;
+  json["sets"] = surface.complex.stationary().critical_counts()[2];
+  json["selected"] = surface.selected.sets.size();
+  json["with_interval"] = surface.with_interval();
+  json["triangles"] = surface.mesh.triangles.size();
+  json["vertices"] = surface.mesh.vertices.size();
+  json["edges"] = edges_field(surface.mesh.edges);
+  add_exact(json, "squared_spacing", surface.radii.squared_spacing());
   add_exact(json, "squared_radius_below", thresholds.squared_radius_below);
   add_exact(json, "squared_persistence_above", thresholds.squared_persistence_above);
   if (thresholds.automatic_radius) json["auto_radius"] = automatic_field(*thresholds.automatic_radius);
   if (thresholds.automatic_persistence) json["auto_persistence"] = automatic_field(*thresholds.automatic_persistence);
-  json["radii"] = radii_field(radii);
+  Json& radii = json["radii"] = Json::array();
+  for (const HistogramBin& bin : surface.radii.histogram()) {
+    radii.push_back(
+        {{"from", nearest_or_infinity(bin.from)}, {"to", nearest_or_infinity(bin.to)}, {"count", bin.count}});
+  }
   fmt::print("{}\n", json.dump());
 }
 
@@ -183,16 +151,18 @@ void write_surface(const SurfaceOptions& options) {
   if (is_streamed && options.json) throw InvalidInput("-o - and --json would both write to standard output");
   const Input input = read_input(options.input, options.reading);
   const FlowComplex complex(input.points, complex_options(input, options.threads), part_progress());
-  const morse::SaddleRadii radii = radii_of(complex);
-  const auto [sets, thresholds] = selected_of(complex, selection, radii);
-  const SurfaceMesh mesh = mesh_of(options, complex, sets);
+  const auto radii = with_progress("computing", [&] { return morse::SaddleRadii(complex); });
+  const SelectedSets selected = with_progress("computing", [&] { return selection.select(complex, radii); });
+  const SurfaceMesh mesh = naming(display_name(options.input), [&] {
+    ProgressLine progress("surface");
+    return surface_mesh(complex, selected.sets, std::ref(progress));
+  });
   write_mesh(options.output, mesh, made_by_text("flowcert-surface", 1, input.points));
-  if (is_streamed) return;
-  const Counts counts = counts_of(complex, sets, mesh);
+  const Surface surface{options, input, complex, radii, selected, mesh};
   if (options.json) {
-    print_json(options, input, complex, counts, thresholds, radii);
-  } else {
-    print_table(options, input, counts, thresholds, radii);
+    print_json(surface);
+  } else if (!is_streamed) {
+    print_table(surface);
   }
 }
 

@@ -458,9 +458,7 @@ int verify(VerifyCommandOptions options) {
   progress.reset();
   if (!verification.has_begun()) throw InvalidInput("standard input: no answers");
   if (!options.junit.empty()) {
-    OutputFile file(options.junit);
-    write_verify_junit(file.stream(), verification);
-    file.commit();
+    write_whole_file(options.junit, [&](std::ostream& out) { write_verify_junit(out, verification); });
   }
   if (options.json) {
     print_verify_json(verification, cut);

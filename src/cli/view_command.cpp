@@ -60,17 +60,13 @@ JudgedClaim judged_claim(const ViewCommandOptions& options, const Claim& claim, 
       report.verdict};
 }
 
-ViewerCounts write_page(const std::string& path, const std::string& input_name, const FlowComplex& complex,
-                        const ViewerOptions& content) {
+ViewerCounts write_page(const std::string& path, const FlowComplex& complex, const ViewerOptions& content) {
   std::optional<OutputFile> file;
   if (path != kStandardStream) file.emplace(path);
   ProgressLine progress("page", file ? -1 : STDOUT_FILENO);
-  ViewerCounts counts;
-  try {
-    counts = write_viewer_page(file ? file->stream() : std::cout, complex, content, std::ref(progress));
-  } catch (const InvalidInput& error) {
-    throw InvalidInput(fmt::format("{}: {}", input_name, error.what()));
-  }
+  const ViewerCounts counts = naming(content.name, [&] {
+    return write_viewer_page(file ? file->stream() : std::cout, complex, content, std::ref(progress));
+  });
   if (file) file->commit();
   return counts;
 }
@@ -144,7 +140,7 @@ int view(ViewCommandOptions options) {
     content.claim = std::move(judged.claim);
     status = status_of(judged.verdict, options.is_strict);
   }
-  const ViewerCounts shown = write_page(options.output, content.name, complex, content);
+  const ViewerCounts shown = write_page(options.output, complex, content);
   if (options.output != kStandardStream) print_page_table(options.output, input, complex, content, shown);
   return status;
 }

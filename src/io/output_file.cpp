@@ -212,4 +212,10 @@ void OutputFile::commit() {
 
 void OutputFile::fail(const std::string& what) const { throw OutputError(path_ + ": cannot be written: " + what); }
 
+void write_whole_file(const std::string& path, const std::function<void(std::ostream&)>& write) {
+  OutputFile file(path);
+  write(file.stream());
+  file.commit();
+}
+
 }  // namespace flowcert::io

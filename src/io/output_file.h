@@ -9,6 +9,7 @@
 #pragma once
 
 #include <fstream>
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -45,5 +46,8 @@ class OutputFile {
   std::string temporary_;
   std::ofstream stream_;
 };
+
+// Makes the file of what `write` puts into its stream.
+void write_whole_file(const std::string& path, const std::function<void(std::ostream&)>& write);
 
 }  // namespace flowcert::io

@@ -143,9 +143,9 @@ class CaseRun {
         // There is no answer. The page then has the points alone.
       }
     }
-    OutputFile page((folder / kPageName).string());
-    write_claim_page(page.stream(), PointSet(case_.rows), case_.id, claim, options_.check);
-    page.commit();
+    io::write_whole_file((folder / kPageName).string(), [&](std::ostream& page) {
+      write_claim_page(page, PointSet(case_.rows), case_.id, claim, options_.check);
+    });
   }
 
   // Returns false if the program said neither yes nor no, because it crashed, was late or was cancelled.

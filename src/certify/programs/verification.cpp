@@ -170,9 +170,7 @@ Outcome outcome_of(Verdict verdict) {
 }
 
 void write_file(const std::string& path, const std::string& content) {
-  OutputFile file(path);
-  file.stream() << content;
-  file.commit();
+  io::write_whole_file(path, [&](std::ostream& out) { out << content; });
 }
 
 }  // namespace
