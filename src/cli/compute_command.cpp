@@ -11,7 +11,6 @@
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -73,7 +72,7 @@ ExportChoice export_choice(const ComputeOptions& options) {
           .clip = options.clip ? clip_factor(*options.clip) : ExportChoice{}.clip};
 }
 
-std::set<FlowComplexPart> wanted_parts(const ComputeOptions& options) {
+std::vector<FlowComplexPart> wanted_parts(const ComputeOptions& options) {
   const bool all = has_word(options.manifolds, "all");
   const bool u2 = all || has_word(options.manifolds, "u2") || exports(options, "lines");
   const bool s2 = all || has_word(options.manifolds, "s2") || exports(options, "surfaces");
@@ -87,10 +86,10 @@ std::set<FlowComplexPart> wanted_parts(const ComputeOptions& options) {
     }
   }
   if (!options.volumes.empty() && !all) throw InvalidInput("--volumes: needs --manifolds all");
-  std::set<FlowComplexPart> parts;
-  if (u2) parts.insert(FlowComplexPart::kUnstable);
-  if (s2) parts.insert(FlowComplexPart::kStable);
-  if (all) parts.insert({FlowComplexPart::kLimits, FlowComplexPart::kVolumes});
+  std::vector<FlowComplexPart> parts;
+  if (s2) parts.push_back(FlowComplexPart::kStable);
+  if (u2) parts.push_back(FlowComplexPart::kUnstable);
+  if (all) parts.insert(parts.end(), {FlowComplexPart::kLimits, FlowComplexPart::kVolumes});
   return parts;
 }
 
@@ -121,7 +120,7 @@ void write_records(const ComputeOptions& options, const Measured& measured) {
 }
 
 void compute(const ComputeOptions& options) {
-  const std::set<FlowComplexPart> parts = wanted_parts(options);
+  const std::vector<FlowComplexPart> parts = wanted_parts(options);
   const bool is_streamed = options.output == kStandardStream;
   if (is_streamed && options.json) throw InvalidInput("-o - and --json would both write to standard output");
   std::optional<ExportFiles> files;

@@ -253,52 +253,6 @@ void print_counts(const PointSet& points, const StationaryPoints& stationary) {
   print_row("Euler sum", fmt::format("{}", stationary.euler_sum()));
 }
 
-std::string multiple_text(const Measured& measured, double DelaunayRatios::* part) {
-  return measured.ratios ? fmt::format("{:.2f} x the triangulation", *measured.ratios.*part) : "";
-}
-
-void print_times(const Measured& measured) {
-  print_row("Delaunay triangulation", seconds_text(measured.delaunay_seconds),
-            measured.runs == 1 ? "" : fmt::format("median of {} runs", measured.runs));
-  print_row("critical points", seconds_text(measured.critical_seconds),
-            multiple_text(measured, &DelaunayRatios::critical));
-  if (measured.has_u2()) {
-    print_row("unstable manifolds U2", seconds_text(measured.u2_seconds), multiple_text(measured, &DelaunayRatios::u2));
-  }
-  if (measured.has_s2()) {
-    print_row("stable manifolds S2", seconds_text(measured.s2_seconds), multiple_text(measured, &DelaunayRatios::s2));
-  }
-  if (!measured.has_all()) return;
-  print_row("limits of all directions", seconds_text(measured.limits_seconds),
-            multiple_text(measured, &DelaunayRatios::limits));
-  print_row("volumes", seconds_text(measured.volumes_seconds), multiple_text(measured, &DelaunayRatios::volumes));
-}
-
-Json seconds_field(const Measured& measured) {
-  Json seconds;
-  seconds["delaunay"] = measured.delaunay_seconds;
-  seconds["critical"] = measured.critical_seconds;
-  if (measured.has_u2()) seconds["u2"] = measured.u2_seconds;
-  if (measured.has_s2()) seconds["s2"] = measured.s2_seconds;
-  if (measured.has_all()) seconds["limits"] = measured.limits_seconds;
-  if (measured.has_all()) seconds["volumes"] = measured.volumes_seconds;
-  return seconds;
-}
-
-Json ratios_field(const Measured& measured) {
-  const auto ratio = [&](double DelaunayRatios::* part) {
-    return measured.ratios ? Json(*measured.ratios.*part) : Json(nullptr);
-  };
-  Json ratios;
-  ratios["critical"] = ratio(&DelaunayRatios::critical);
-  if (measured.has_u2()) ratios["u2"] = ratio(&DelaunayRatios::u2);
-  if (measured.has_s2()) ratios["s2"] = ratio(&DelaunayRatios::s2);
-  if (measured.has_all()) ratios["limits"] = ratio(&DelaunayRatios::limits);
-  if (measured.has_all()) ratios["volumes"] = ratio(&DelaunayRatios::volumes);
-  ratios["all"] = ratio(&DelaunayRatios::all);
-  return ratios;
-}
-
 }  // namespace
 
 void print_compute_table(const std::string& name, const Input& input, const Measured& measured,
@@ -327,8 +281,7 @@ Json compute_summary(const Input& input, const Measured& measured, const U2Choic
   summary["dimension"] = complex.dimension();
   summary["euler"] = complex.stationary().euler_sum();
   summary["runs"] = measured.runs;
-  summary["seconds"] = seconds_field(measured);
-  summary["ratio_to_delaunay"] = ratios_field(measured);
+  add_times(summary, measured);
   Json& filters = summary["filters"] = Json::object();
   for (std::size_t k = 0; k < kPredicateCount; ++k) {
     Json& field = filters[kPredicateNames[k]];

@@ -1,13 +1,13 @@
-// The parts of a run are made in turn. The reported times of several runs are medians.
 #include "cli/compute_run.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
-#include <vector>
+#include <utility>
 
 #include "cli/progress.h"
+#include "cli/table.h"
 
 namespace flowcert::cli {
 
@@ -15,72 +15,81 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_between(Clock::time_point from, Clock::time_point to) {
-  return std::chrono::duration<double>(to - from).count();
-}
-
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t n = values.size();
   return (values[(n - 1) / 2] + values[n / 2]) / 2;
 }
 
-// In seconds, with an entry for each run.
-struct Times {
-  std::vector<double> delaunay, critical, u2, s2, limits, volumes, all;
+struct NamedPart {
+  FlowComplexPart part;
+  const char* key;   // in JSON
+  const char* name;  // in a table
 };
-
-FlowComplex run_once(const PointSet& points, const Measured& wanted, const FlowOptions& options, unsigned run,
-                     Times& times, const PartMade& made) {
-  const unsigned runs = wanted.runs;
-  FlowComplex complex(points, options, part_progress(runs == 1 ? "" : fmt::format(", run {} of {}", run + 1, runs)));
-  const auto seconds_to_make = [&](FlowComplexPart part) {
-    const Clock::time_point start = Clock::now();
-    complex.make(part);
-    const double seconds = seconds_between(start, Clock::now());
-    if (made && run + 1 == runs) made(complex, part);
-    return seconds;
-  };
-  times.delaunay.push_back(seconds_to_make(FlowComplexPart::kTriangulation));
-  times.critical.push_back(seconds_to_make(FlowComplexPart::kStationary));
-  if (wanted.has_s2()) times.s2.push_back(seconds_to_make(FlowComplexPart::kStable));
-  if (wanted.has_u2()) times.u2.push_back(seconds_to_make(FlowComplexPart::kUnstable));
-  if (wanted.has_all()) {
-    times.limits.push_back(seconds_to_make(FlowComplexPart::kLimits));
-    times.volumes.push_back(seconds_to_make(FlowComplexPart::kVolumes));
-  }
-  return complex;
-}
+// In the order of reports.
+constexpr NamedPart kParts[] = {{FlowComplexPart::kStationary, "critical", "critical points"},
+                                {FlowComplexPart::kUnstable, "u2", "unstable manifolds U2"},
+                                {FlowComplexPart::kStable, "s2", "stable manifolds S2"},
+                                {FlowComplexPart::kLimits, "limits", "limits of all directions"},
+                                {FlowComplexPart::kVolumes, "volumes", "volumes"},
+                                {FlowComplexPart::kPersistence, "pairs", "chain complex and pairs"}};
 
 }  // namespace
 
 Measured measure(const PointSet& points, unsigned runs, const FlowOptions& options,
-                 const std::set<FlowComplexPart>& parts, const PartMade& made) {
+                 const std::vector<FlowComplexPart>& parts, const PartMade& made) {
   const ProgressLine progress("computing");
-  Measured result{.last = {}, .parts = parts, .runs = runs, .ratios = {}};
-  Times times;
+  Measured result{.last = {}, .runs = runs, .seconds = {}};
+  std::map<FlowComplexPart, std::vector<double>> times;
+  std::vector<double> after_delaunay;
   for (unsigned run = 0; run < runs; ++run) {
     result.last.reset();
-    result.last.emplace(run_once(points, result, options, run, times, made));
-    times.all.push_back(times.critical.back() + (result.has_u2() ? times.u2.back() : 0) +
-                        (result.has_s2() ? times.s2.back() : 0) +
-                        (result.has_all() ? times.limits.back() + times.volumes.back() : 0));
+    result.last.emplace(points, options, part_progress(runs == 1 ? "" : fmt::format(", run {} of {}", run + 1, runs)));
+    const auto seconds_to_make = [&](FlowComplexPart part) {
+      const Clock::time_point start = Clock::now();
+      result.last->make(part);
+      const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+      times[part].push_back(seconds);
+      if (made && run + 1 == runs) made(*result.last, part);
+      return seconds;
+    };
+    seconds_to_make(FlowComplexPart::kTriangulation);
+    after_delaunay.push_back(seconds_to_make(FlowComplexPart::kStationary));
+    for (const FlowComplexPart part : parts) after_delaunay.back() += seconds_to_make(part);
   }
-  result.delaunay_seconds = median(times.delaunay);
-  result.critical_seconds = median(times.critical);
-  if (result.has_u2()) result.u2_seconds = median(times.u2);
-  if (result.has_s2()) result.s2_seconds = median(times.s2);
-  if (result.has_all()) result.limits_seconds = median(times.limits);
-  if (result.has_all()) result.volumes_seconds = median(times.volumes);
-  if (points.size() >= 4 && result.delaunay_seconds > 0) {
-    result.ratios = {.critical = result.critical_seconds / result.delaunay_seconds,
-                     .u2 = result.u2_seconds / result.delaunay_seconds,
-                     .s2 = result.s2_seconds / result.delaunay_seconds,
-                     .limits = result.limits_seconds / result.delaunay_seconds,
-                     .volumes = result.volumes_seconds / result.delaunay_seconds,
-                     .all = median(times.all) / result.delaunay_seconds};
-  }
+  for (const auto& [part, seconds] : times) result.seconds[part] = median(seconds);
+  result.seconds_after_delaunay = median(after_delaunay);
+  result.has_ratios = points.size() >= 4 && result.seconds.at(FlowComplexPart::kTriangulation) > 0;
   return result;
+}
+
+void print_times(const Measured& measured) {
+  print_row("Delaunay triangulation", seconds_text(measured.seconds.at(FlowComplexPart::kTriangulation)),
+            measured.runs == 1 ? "" : fmt::format("median of {} runs", measured.runs));
+  for (const auto& [part, key, name] : kParts) {
+    if (measured.seconds.contains(part)) print_time(measured, name, measured.seconds.at(part));
+  }
+}
+
+void print_time(const Measured& measured, const char* name, double seconds) {
+  const double delaunay = measured.seconds.at(FlowComplexPart::kTriangulation);
+  print_row(name, seconds_text(seconds),
+            measured.has_ratios ? fmt::format("{:.2f} x the triangulation", seconds / delaunay) : "");
+}
+
+void add_times(Json& object, const Measured& measured) {
+  const double delaunay = measured.seconds.at(FlowComplexPart::kTriangulation);
+  const auto ratio = [&](double seconds) { return measured.has_ratios ? Json(seconds / delaunay) : Json(nullptr); };
+  Json seconds, ratios;
+  seconds["delaunay"] = delaunay;
+  for (const auto& [part, key, name] : kParts) {
+    if (!measured.seconds.contains(part)) continue;
+    seconds[key] = measured.seconds.at(part);
+    ratios[key] = ratio(measured.seconds.at(part));
+  }
+  ratios["all"] = ratio(measured.seconds_after_delaunay);
+  object["seconds"] = std::move(seconds);
+  object["ratio_to_delaunay"] = std::move(ratios);
 }
 
 }  // namespace flowcert::cli

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/compute_run.h"
 #include "cli/fixed_decimals.h"
 #include "cli/layer.h"
 #include "cli/progress.h"
@@ -28,44 +28,6 @@
 namespace flowcert::cli {
 
 namespace {
-
-// ---- What is computed, with its times ----
-
-struct PersistenceSeconds {
-  double delaunay = 0;
-  double critical = 0;
-  double u2 = 0;
-  double s2 = 0;
-  double pairs = 0;  // the chain complex, exact values and the pairs
-
-  [[nodiscard]] double after_delaunay() const { return critical + u2 + s2 + pairs; }
-};
-
-struct PersistenceRun {
-  // Makes one part of the complex after the other, and takes the time of each. The seed decides all choices that
-  // break ties.
-  PersistenceRun(const Input& input, std::uint64_t seed, unsigned threads)
-      : complex(input.points, complex_options(input, threads, {.seed = seed}), part_progress()) {
-    const ProgressLine progress("computing");
-    using Clock = std::chrono::steady_clock;
-    const auto make = [this](FlowComplexPart part, double& sum) {
-      const Clock::time_point start = Clock::now();
-      complex.make(part);
-      sum += std::chrono::duration<double>(Clock::now() - start).count();
-    };
-    make(FlowComplexPart::kTriangulation, seconds.delaunay);
-    make(FlowComplexPart::kStationary, seconds.critical);
-    make(FlowComplexPart::kUnstable, seconds.u2);
-    make(FlowComplexPart::kStable, seconds.s2);
-    make(FlowComplexPart::kChains, seconds.pairs);
-    make(FlowComplexPart::kPersistence, seconds.pairs);
-  }
-
-  FlowComplex complex;
-  PersistenceSeconds seconds;
-};
-
-// ---- The command ----
 
 struct PersistenceOptions {
   std::string input;
@@ -85,33 +47,16 @@ struct PairCounts {
   std::size_t lasting = 0;
 };
 
-std::array<PairCounts, 3> counts_of(const PersistenceRun& run) {
+std::array<PairCounts, 3> counts_of(const FlowComplex& complex) {
   std::array<PairCounts, 3> counts;
-  for (const PersistencePair& pair : run.complex.persistence().pairs()) {
+  for (const PersistencePair& pair : complex.persistence().pairs()) {
     PairCounts& count = counts.at(static_cast<std::size_t>(pair.dimension));
     ++(pair.death ? count.positive : count.lasting);
   }
-  const RegularCounts& regular = run.complex.stationary().regular_counts();
+  const RegularCounts& regular = complex.stationary().regular_counts();
   counts[1].zero = regular.kind12 + regular.kind13;
   counts[2].zero = regular.kind23 + regular.kind13;
   return counts;
-}
-
-bool has_ratios(const PointSet& points, const PersistenceSeconds& seconds) {
-  return points.size() >= 4 && seconds.delaunay > 0;
-}
-
-void print_times(const PointSet& points, const PersistenceSeconds& seconds) {
-  print_row("Delaunay triangulation", seconds_text(seconds.delaunay));
-  const std::pair<const char*, double> parts[] = {{"critical points", seconds.critical},
-                                                  {"unstable manifolds U2", seconds.u2},
-                                                  {"stable manifolds S2", seconds.s2},
-                                                  {"chain complex and pairs", seconds.pairs},
-                                                  {"all after the triangulation", seconds.after_delaunay()}};
-  for (const auto& [name, time] : parts) {
-    print_row(name, seconds_text(time),
-              has_ratios(points, seconds) ? fmt::format("{:.2f} x the triangulation", time / seconds.delaunay) : "");
-  }
 }
 
 // ---- The longest pairs ----
@@ -190,12 +135,13 @@ void print_choices(const char* name, std::size_t count, const char* remark) {
   if (count > 0) print_row(name, with_commas(count), remark);
 }
 
-void print_table(const std::string& name, const Input& input, const PersistenceRun& run, bool with_zero) {
+void print_table(const std::string& name, const Input& input, const Measured& measured, bool with_zero) {
+  const FlowComplex& complex = *measured.last;
   print_wrapped(fmt::format("{} ({})", name, input.file.format));
   print_point_counts(input.points);
   constexpr const char* kNames[] = {"components", "tunnels", "voids"};
   std::size_t zero = 0;
-  const auto counts = counts_of(run);
+  const auto counts = counts_of(complex);
   for (std::size_t k = 0; k < counts.size(); ++k) {
     print_row(
         fmt::format("pairs of dimension {}", k), with_commas(counts[k].positive),
@@ -204,42 +150,21 @@ void print_table(const std::string& name, const Input& input, const PersistenceR
   }
   print_row("pairs of length zero", with_commas(zero),
             with_zero ? "regular stationary points" : "regular; --zero writes them");
-  print_choices("choices at ties, orbits", run.complex.chains().broken_ties(),
+  print_choices("choices at ties, orbits", complex.chains().broken_ties(),
                 "at a saddle one of several ways on was taken; pairs do not depend on it");
-  print_choices("choices at ties, surfaces", run.complex.stable().statistics().broken_ties,
+  print_choices("choices at ties, surfaces", complex.stable().statistics().broken_ties,
                 "one of several boundaries was taken; pairs do not depend on it");
-  print_times(input.points, run.seconds);
-  print_longest_pairs(input, run.complex);
+  print_times(measured);
+  print_time(measured, "all after the triangulation", measured.seconds_after_delaunay);
+  print_longest_pairs(input, complex);
 }
 
-Json seconds_field(const PersistenceSeconds& seconds) {
-  Json field;
-  field["delaunay"] = seconds.delaunay;
-  field["critical"] = seconds.critical;
-  field["u2"] = seconds.u2;
-  field["s2"] = seconds.s2;
-  field["pairs"] = seconds.pairs;
-  return field;
-}
-
-Json ratios_field(const PointSet& points, const PersistenceSeconds& seconds) {
-  const auto ratio = [&](double part) {
-    return has_ratios(points, seconds) ? Json(part / seconds.delaunay) : Json(nullptr);
-  };
-  Json field;
-  field["critical"] = ratio(seconds.critical);
-  field["u2"] = ratio(seconds.u2);
-  field["s2"] = ratio(seconds.s2);
-  field["pairs"] = ratio(seconds.pairs);
-  field["all"] = ratio(seconds.after_delaunay());
-  return field;
-}
-
-void print_json(const Input& input, const PersistenceRun& run, const PersistenceDiagram& diagram, std::uint64_t seed) {
+void print_json(const Input& input, const Measured& measured, const PersistenceDiagram& diagram, std::uint64_t seed) {
+  const FlowComplex& complex = *measured.last;
   Json json = header_fields("flowcert-persistence", 1, input.points);
-  add_counts(json, input.points, run.complex.stationary());
+  add_counts(json, input.points, complex.stationary());
   Json& counts = json["counts"] = Json::array();
-  for (const PairCounts& count : counts_of(run)) {
+  for (const PairCounts& count : counts_of(complex)) {
     Json field;
     field["positive"] = count.positive;
     field["zero"] = count.zero;
@@ -247,11 +172,10 @@ void print_json(const Input& input, const PersistenceRun& run, const Persistence
     counts.push_back(std::move(field));
   }
   Json& broken = json["ties_broken"];
-  broken["u2"] = run.complex.chains().broken_ties();
-  broken["s2"] = run.complex.stable().statistics().broken_ties;
+  broken["u2"] = complex.chains().broken_ties();
+  broken["s2"] = complex.stable().statistics().broken_ties;
   json["seed"] = seed;
-  json["seconds"] = seconds_field(run.seconds);
-  json["ratio_to_delaunay"] = ratios_field(input.points, run.seconds);
+  add_times(json, measured);
   json["has_zero"] = diagram.has_zero();
   // The pairs come last, and are printed as they are made: all of them as one object take gigabytes.
   json["pairs"] = Json::array();
@@ -269,7 +193,7 @@ void print_json(const Input& input, const PersistenceRun& run, const Persistence
     progress(done, diagram.pairs().size());
     return std::fwrite(part.data(), 1, part.size(), stdout) == part.size();
   };
-  io::write_in_order(diagram.pairs().size(), io::kShortRecords, run.complex.threads(), make, write);
+  io::write_in_order(diagram.pairs().size(), io::kShortRecords, complex.threads(), make, write);
   fmt::print("]}}\n");
 }
 
@@ -290,16 +214,19 @@ void print_persistence(const PersistenceOptions& options) {
     throw InvalidInput("-o - and --json would both write to standard output");
   }
   const Input input = read_input(options.input, options.reading);
-  const PersistenceRun run(input, options.seed, options.threads);
-  tell_of_many_cells(run.complex);
-  const auto diagram = with_progress("pairs", [&] { return PersistenceDiagram(run.complex, options.with_zero); });
+  const Measured measured =
+      measure(input.points, 1, complex_options(input, options.threads, {.seed = options.seed}),
+              {FlowComplexPart::kUnstable, FlowComplexPart::kStable, FlowComplexPart::kPersistence});
+  const FlowComplex& complex = *measured.last;
+  tell_of_many_cells(complex);
+  const auto diagram = with_progress("pairs", [&] { return PersistenceDiagram(complex, options.with_zero); });
   const bool is_streamed = options.output == kStandardStream;
   if (is_streamed) fmt::print("{}", text_of(options, diagram));
   if (!is_streamed && !options.output.empty()) write_file(options.output, text_of(options, diagram));
   if (options.json) {
-    print_json(input, run, diagram, options.seed);
+    print_json(input, measured, diagram, options.seed);
   } else if (!is_streamed) {
-    print_table(display_name(options.input), input, run, options.with_zero);
+    print_table(display_name(options.input), input, measured, options.with_zero);
   }
 }
 

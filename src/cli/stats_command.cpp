@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,11 +39,10 @@ struct StatsOptions {
   U2Choice u2{.flow = {}, .alone = false, .with_statistics = true};
 };
 
-std::set<FlowComplexPart> wanted_parts(const StatsOptions& options) {
-  std::set<FlowComplexPart> parts;
-  for (const std::string& name : options.manifolds) {
-    parts.insert(name == "u2" ? FlowComplexPart::kUnstable : FlowComplexPart::kStable);
-  }
+std::vector<FlowComplexPart> wanted_parts(const StatsOptions& options) {
+  std::vector<FlowComplexPart> parts;
+  if (std::ranges::count(options.manifolds, "s2") > 0) parts.push_back(FlowComplexPart::kStable);
+  if (std::ranges::count(options.manifolds, "u2") > 0) parts.push_back(FlowComplexPart::kUnstable);
   return parts;
 }
 
