@@ -21,15 +21,17 @@ void print_automatic(const std::string& what, const AutomaticThreshold& found, c
 }
 
 io::Json automatic_field(const AutomaticThreshold& found) {
+  io::Json valley;
+  if (found.valley) {
+    const auto& [bin, below, beyond] = *found.valley;
+    valley = {{"from", to_text(bin.from)},
+              {"to", to_text(bin.to)},
+              {"count", bin.count},
+              {"below", below},
+              {"beyond", beyond}};
+  }
   io::Json field;
-  field["valley"] = nullptr;
-  if (!found.valley) return field;
-  io::Json& valley = field["valley"];
-  valley["from"] = to_text(found.valley->bin.from);
-  valley["to"] = to_text(found.valley->bin.to);
-  valley["count"] = found.valley->bin.count;
-  valley["below"] = found.valley->below;
-  valley["beyond"] = found.valley->beyond;
+  field["valley"] = std::move(valley);
   return field;
 }
 

@@ -83,25 +83,21 @@ void print_check_json(const CheckedFiles& files, const PairReport& report, const
   Json& pairs = json["pairs"] = Json::array();
   for (std::size_t dimension = 0; dimension < report.truth.size(); ++dimension) {
     const DifferenceCounts counts = counts_of(report, dimension);
-    Json field;
-    field["dimension"] = dimension;
-    field["claimed"] = report.claimed.at(dimension);
-    field["true"] = report.truth.at(dimension);
-    field["spurious"] = counts.spurious;
-    field["missing"] = counts.missing;
-    pairs.push_back(std::move(field));
+    pairs.push_back({{"dimension", dimension},
+                     {"claimed", report.claimed.at(dimension)},
+                     {"true", report.truth.at(dimension)},
+                     {"spurious", counts.spurious},
+                     {"missing", counts.missing}});
   }
   Json& findings = json["findings"] = Json::array();
   for (const PairDifference& difference : report.differences) {
-    Json field;
-    field["reason"] = reason_text(difference);
-    field["clause"] = kClause;
-    field["line"] = difference.line > 0 ? Json(difference.line) : Json(nullptr);
-    field["dimension"] = difference.dimension;
-    field["claimed"] = difference.is_claimed ? Json(difference.claimed) : Json(nullptr);
-    field["truth"] = difference.is_true ? Json(difference.truth) : Json(nullptr);
-    field["sentence"] = sentence_of(difference);
-    findings.push_back(std::move(field));
+    findings.push_back({{"reason", reason_text(difference)},
+                        {"clause", kClause},
+                        {"line", difference.line > 0 ? Json(difference.line) : Json(nullptr)},
+                        {"dimension", difference.dimension},
+                        {"claimed", difference.is_claimed ? Json(difference.claimed) : Json(nullptr)},
+                        {"truth", difference.is_true ? Json(difference.truth) : Json(nullptr)},
+                        {"sentence", sentence_of(difference)}});
   }
   print_report_json(json);
 }

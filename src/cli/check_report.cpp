@@ -143,12 +143,10 @@ void print_findings(const CheckedFiles& files, const CheckReport& report, std::s
 Json reasons_field(const CheckReport& report) {
   Json reasons = Json::array();
   for (const ReasonRow& row : reasons_of(report)) {
-    Json field;
-    field["reason"] = row.reason;
-    field["permitted"] = report.findings[row.example].is_variation;
-    field["findings"] = row.count;
-    field["example"] = row.example;
-    reasons.push_back(std::move(field));
+    reasons.push_back({{"reason", row.reason},
+                       {"permitted", report.findings[row.example].is_variation},
+                       {"findings", row.count},
+                       {"example", row.example}});
   }
   return reasons;
 }
@@ -173,11 +171,10 @@ Json levels_field(const CheckReport& report) {
   Json levels = Json::object();
   for (std::size_t k = 0; k < kLevels; ++k) {
     const std::optional<bool>& conforms = report.conforms.at(k);
-    Json& level = levels[fmt::format("{}", k + 1)];
-    level["conforms"] = conforms ? Json(*conforms) : Json(nullptr);
-    level["wrong"] = counts.at(k).wrong;
-    level["permitted"] = counts.at(k).varied;
-    level["not_decided"] = counts.at(k).undecided;
+    levels[fmt::format("{}", k + 1)] = {{"conforms", conforms ? Json(*conforms) : Json(nullptr)},
+                                        {"wrong", counts.at(k).wrong},
+                                        {"permitted", counts.at(k).varied},
+                                        {"not_decided", counts.at(k).undecided}};
   }
   return levels;
 }
@@ -218,17 +215,16 @@ std::string finding_text(const std::string& claim, const Finding& finding) {
 }
 
 Json finding_field(const Finding& finding, const AtomNames* atoms) {
-  Json field;
-  field["level"] = finding.level;
-  field["reason"] = reason_text(finding.reason);
-  field["permitted"] = finding.is_variation;
-  field["decided"] = finding.is_decided;
-  field["clause"] = finding.clause;
-  field["line"] = finding.line ? Json(*finding.line) : Json(nullptr);
-  field["contact"] = finding.contact;
-  field["claimed"] = finding.claimed;
-  field["truth"] = finding.truth;
-  field["sentence"] = finding.sentence;
+  Json field = {{"level", finding.level},
+                {"reason", reason_text(finding.reason)},
+                {"permitted", finding.is_variation},
+                {"decided", finding.is_decided},
+                {"clause", finding.clause},
+                {"line", finding.line ? Json(*finding.line) : Json(nullptr)},
+                {"contact", finding.contact},
+                {"claimed", finding.claimed},
+                {"truth", finding.truth},
+                {"sentence", finding.sentence}};
   if (atoms != nullptr) {
     field["atoms"] = Json::array();
     for (const PointId row : finding.contact) field["atoms"].push_back(atoms->text(row));

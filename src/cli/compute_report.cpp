@@ -19,24 +19,18 @@ namespace flowcert::cli {
 // ---- Distributions and filter failures ----
 
 Json distribution_field(const Distribution& distribution) {
-  Json field;
-  field["count"] = distribution.count();
-  field["mean"] = distribution.mean();
-  field["max"] = distribution.max();
-  field["stddev"] = distribution.standard_deviation();
-  field["mode"] = distribution.mode();
-  field["median"] = distribution.median();
-  Json& histogram = field["histogram"] = Json::array();
+  Json histogram = Json::array();
   for (const auto& [value, times] : distribution.times()) histogram.push_back(std::array{value, times});
-  return field;
+  return {{"count", distribution.count()},    {"mean", distribution.mean()},
+          {"max", distribution.max()},        {"stddev", distribution.standard_deviation()},
+          {"mode", distribution.mode()},      {"median", distribution.median()},
+          {"histogram", std::move(histogram)}};
 }
 
 Json primitives_field(const KernelTally& tally) {
   Json primitives = Json::object();
   for (std::size_t k = 0; k < kFlowPrimitiveCount; ++k) {
-    Json& field = primitives[kFlowPrimitiveNames[k]];
-    field["calls"] = tally.counts[k].calls;
-    field["failures"] = tally.counts[k].failures;
+    primitives[kFlowPrimitiveNames[k]] = {{"calls", tally.counts[k].calls}, {"failures", tally.counts[k].failures}};
   }
   return primitives;
 }
@@ -99,12 +93,10 @@ void add_statistics(Json& object, const FlowStatistics& statistics) {
   for (const auto& [type, count] : full_census(statistics)) census[type_text(type)] = count;
   object["primitives"] = primitives_field(statistics.tally);
   const Distribution& bytes = statistics.exact_bytes;
-  Json& sizes = object["exact_bytes"];
-  sizes["count"] = bytes.count();
-  sizes["mean"] = bytes.mean();
-  sizes["max"] = bytes.max();
-  Json& histogram = sizes["histogram"] = Json::array();
+  Json histogram = Json::array();
   for (const Bin& bin : doubling_bins(bytes)) histogram.push_back(std::array{bin.first, bin.count});
+  object["exact_bytes"] = {
+      {"count", bytes.count()}, {"mean", bytes.mean()}, {"max", bytes.max()}, {"histogram", std::move(histogram)}};
   object["depth"] = statistics.depth;
 }
 
@@ -172,15 +164,14 @@ void print_u2_statistics(const FlowStatistics& statistics) {
 }
 
 Json u2_field(const U2Choice& choice, const FlowStatistics& statistics) {
-  Json object;
-  object["kernel"] = choice.flow.kernel;
-  object["search"] = choice.flow.search;
-  object["sharing"] = !choice.alone;
-  object["orbits"] = statistics.n_u2.count();
-  object["to_critical"] = statistics.to_critical;
-  object["to_regular"] = statistics.to_regular;
-  object["to_infinity"] = statistics.to_infinity;
-  object["segments_computed"] = statistics.segments_computed;
+  Json object = {{"kernel", choice.flow.kernel},
+                 {"search", choice.flow.search},
+                 {"sharing", !choice.alone},
+                 {"orbits", statistics.n_u2.count()},
+                 {"to_critical", statistics.to_critical},
+                 {"to_regular", statistics.to_regular},
+                 {"to_infinity", statistics.to_infinity},
+                 {"segments_computed", statistics.segments_computed}};
   if (choice.with_statistics) add_statistics(object, statistics);
   return object;
 }
@@ -210,17 +201,17 @@ void print_s2_statistics(const StableStatistics& statistics) {
 
 Json s2_field(const U2Choice& choice, const StationaryPoints& stationary, const StableManifolds& s2) {
   const StableStatistics& statistics = s2.statistics();
-  Json object;
-  object["kernel"] = choice.flow.kernel;
-  object["search"] = choice.flow.search;
-  object["sets"] = s2.size();
-  object["triangles"] = statistics.triangle_count;
-  object["largest_triangles"] = statistics.triangles.max();
-  Json& largest = object["largest_contact"] = nullptr;
+  Json largest;
   if (statistics.largest) largest = stationary.contact(s2.record(*statistics.largest));
-  object["through_vertex"] = statistics.with_vertex;
-  object["with_interval"] = statistics.with_interval;
-  object["to_regular"] = statistics.ends_at_regular;
+  Json object = {{"kernel", choice.flow.kernel},
+                 {"search", choice.flow.search},
+                 {"sets", s2.size()},
+                 {"triangles", statistics.triangle_count},
+                 {"largest_triangles", statistics.triangles.max()},
+                 {"largest_contact", std::move(largest)},
+                 {"through_vertex", statistics.with_vertex},
+                 {"with_interval", statistics.with_interval},
+                 {"to_regular", statistics.ends_at_regular}};
   if (!choice.with_statistics) return object;
   object["n_s2"] = distribution_field(statistics.n_s2);
   object["triangles_of_set"] = distribution_field(statistics.triangles);
@@ -284,9 +275,8 @@ Json compute_summary(const Input& input, const Measured& measured, const U2Choic
   add_times(summary, measured);
   Json& filters = summary["filters"] = Json::object();
   for (std::size_t k = 0; k < kPredicateCount; ++k) {
-    Json& field = filters[kPredicateNames[k]];
-    field["calls"] = complex.filter_tally().counts[k].calls;
-    field["failures"] = complex.filter_tally().counts[k].failures;
+    const FilterCount& count = complex.filter_tally().counts[k];
+    filters[kPredicateNames[k]] = {{"calls", count.calls}, {"failures", count.failures}};
   }
   if (measured.has_u2()) summary["u2"] = u2_field(choice, complex.unstable().statistics());
   if (measured.has_s2()) summary["s2"] = s2_field(choice, complex.stationary(), complex.stable());

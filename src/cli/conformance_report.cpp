@@ -317,12 +317,10 @@ Json tallies_field(const char* key, const std::vector<NamedTally>& tallies) {
 Json orbit_findings_field(const CaseOutcome& outcome) {
   Json field = Json::array();
   for (const auto& [start, difference] : outcome.orbit_findings) {
-    Json finding;
-    finding["start"] = start;
-    finding["permitted"] = difference.is_permitted;
-    finding["claimed"] = difference.claimed;
-    finding["truth"] = difference.truth;
-    field.push_back(std::move(finding));
+    field.push_back({{"start", start},
+                     {"permitted", difference.is_permitted},
+                     {"claimed", difference.claimed},
+                     {"truth", difference.truth}});
   }
   return field;
 }
@@ -332,11 +330,8 @@ Json orbit_findings_field(const CaseOutcome& outcome) {
 Json persistence_findings_field(const std::vector<PairDifference>& differences) {
   Json field = Json::array();
   for (const PairDifference& difference : differences) {
-    Json finding;
-    finding["reason"] = reason_text(difference);
-    finding["claimed"] = difference.claimed;
-    finding["truth"] = difference.truth;
-    field.push_back(std::move(finding));
+    field.push_back(
+        {{"reason", reason_text(difference)}, {"claimed", difference.claimed}, {"truth", difference.truth}});
   }
   return field;
 }
@@ -346,19 +341,17 @@ namespace {
 Json case_field(const CaseOutcome& outcome) {
   Json findings = Json::array();
   for (const Finding& finding : outcome.findings) findings.push_back(finding_field(finding));
-  Json field;
-  field["id"] = outcome.of->id;
-  field["group"] = outcome.of->group;
-  field["outcome"] = run_outcome_text(outcome.outcome);
-  field["negative"] = is_negative(outcome.outcome);
-  field["level"] = outcome.level ? Json(*outcome.level) : Json(nullptr);
-  field["seconds"] = outcome.seconds;
-  field["message"] = outcome.message;
-  field["findings"] = std::move(findings);
-  field["findings_left_out"] = outcome.findings_left_out;
-  field["orbit_findings"] = orbit_findings_field(outcome);
-  field["persistence_findings"] = persistence_findings_field(outcome.persistence_findings);
-  return field;
+  return {{"id", outcome.of->id},
+          {"group", outcome.of->group},
+          {"outcome", run_outcome_text(outcome.outcome)},
+          {"negative", is_negative(outcome.outcome)},
+          {"level", outcome.level ? Json(*outcome.level) : Json(nullptr)},
+          {"seconds", outcome.seconds},
+          {"message", outcome.message},
+          {"findings", std::move(findings)},
+          {"findings_left_out", outcome.findings_left_out},
+          {"orbit_findings", orbit_findings_field(outcome)},
+          {"persistence_findings", persistence_findings_field(outcome.persistence_findings)}};
 }
 
 Json judged_field(const ConformanceReport& report) {

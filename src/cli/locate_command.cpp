@@ -52,20 +52,15 @@ class PlaceWriter {
 
  private:
   [[nodiscard]] Json json_of(const FlowPlace& place) const {
-    Json json;
     const StationaryPoints& stationary = complex_.stationary();
-    if (place.limit) {
-      const StationaryIndex index = stationary.index(*place.limit);
-      json["kind"] = index.is_critical() ? "critical" : "regular";
-      json["index"] = index_field(index);
-      json["contact"] = stationary.contact(*place.limit);
-    } else {
-      json["kind"] = "infinity";
-      json["index"] = nullptr;
-      json["contact"] = nullptr;
+    if (!place.limit) {
+      return {{"kind", "infinity"}, {"index", nullptr}, {"contact", nullptr}, {"nearest", place.nearest}};
     }
-    json["nearest"] = place.nearest;
-    return json;
+    const StationaryIndex index = stationary.index(*place.limit);
+    return {{"kind", index.is_critical() ? "critical" : "regular"},
+            {"index", index_field(index)},
+            {"contact", stationary.contact(*place.limit)},
+            {"nearest", place.nearest}};
   }
   void append_line(const FlowPlace& place, std::string& text) const {
     const StationaryPoints& stationary = complex_.stationary();

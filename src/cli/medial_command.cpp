@@ -88,10 +88,8 @@ void print_result(const MedialOptions& options, const Input& input, const FlowCo
     json["angle"] = options.angle ? io::Json(*options.angle) : io::Json(nullptr);
     json["chosen"] = io::Json::array();
     for (const std::size_t record : records) {
-      io::Json point;
-      point["index"] = complex.stationary().index(record).hull_dimension;
-      point["contact"] = complex.stationary().contact(record);
-      json["chosen"].push_back(std::move(point));
+      json["chosen"].push_back({{"index", complex.stationary().index(record).hull_dimension},
+                                {"contact", complex.stationary().contact(record)}});
     }
     fmt::print("{}\n", json.dump());
     return;

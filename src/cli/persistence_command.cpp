@@ -165,15 +165,9 @@ void print_json(const Input& input, const Measured& measured, const PersistenceD
   add_counts(json, input.points, complex.stationary());
   Json& counts = json["counts"] = Json::array();
   for (const PairCounts& count : counts_of(complex)) {
-    Json field;
-    field["positive"] = count.positive;
-    field["zero"] = count.zero;
-    field["lasting"] = count.lasting;
-    counts.push_back(std::move(field));
+    counts.push_back({{"positive", count.positive}, {"zero", count.zero}, {"lasting", count.lasting}});
   }
-  Json& broken = json["ties_broken"];
-  broken["u2"] = complex.chains().broken_ties();
-  broken["s2"] = complex.stable().statistics().broken_ties;
+  json["ties_broken"] = {{"u2", complex.chains().broken_ties()}, {"s2", complex.stable().statistics().broken_ties}};
   json["seed"] = seed;
   add_times(json, measured);
   json["has_zero"] = diagram.has_zero();

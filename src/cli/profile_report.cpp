@@ -28,12 +28,10 @@ void print_conformity(const JudgedProfile& judged) {
 
 Json profile_field(const JudgedProfile& judged) {
   const auto statement = statement_of(judged);
-  Json field;
-  field["specification"] = kSpecVersion;
-  field["parts"] = judged.profile.parts();
-  field["grade"] = judged.profile.grade();
-  field["statement"] = statement ? Json(*statement) : Json(nullptr);
-  return field;
+  return {{"specification", kSpecVersion},
+          {"parts", judged.profile.parts()},
+          {"grade", judged.profile.grade()},
+          {"statement", statement ? Json(*statement) : Json(nullptr)}};
 }
 
 std::string junit_properties(const JudgedProfile& judged) {

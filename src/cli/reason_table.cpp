@@ -37,12 +37,8 @@ std::string points_text(std::size_t count) { return fmt::format("{} point{}", co
 Json reasons_field(const std::vector<ReasonRow>& rows, const std::function<Json(const ReasonRow&)>& smallest) {
   Json reasons = Json::array();
   for (const ReasonRow& row : rows) {
-    Json field;
-    field["reason"] = row.reason;
-    field["cases"] = row.count;
-    field["smallest"] = smallest(row);
-    field["smallest_points"] = row.size;
-    reasons.push_back(std::move(field));
+    reasons.push_back(
+        {{"reason", row.reason}, {"cases", row.count}, {"smallest", smallest(row)}, {"smallest_points", row.size}});
   }
   return reasons;
 }

@@ -304,14 +304,13 @@ Json table_field(const char* what, const CountsByName& rows) {
 Json failure_field(const Verification& verification, std::size_t number, const FailedCase& failed) {
   Json findings = Json::array();
   for (const Finding& finding : failed.findings) findings.push_back(finding_field(finding));
-  Json field;
-  field["id"] = failed.id;
-  field["number"] = number;
-  field["family"] = verification.cases().family(number);
-  field["verdict"] = outcome_text(failed.outcome);
-  field["reason"] = failed.reason.empty() ? Json(nullptr) : Json(failed.reason);
-  field["wrong"] = failed.wrong;
-  field["findings"] = std::move(findings);
+  Json field = {{"id", failed.id},
+                {"number", number},
+                {"family", verification.cases().family(number)},
+                {"verdict", outcome_text(failed.outcome)},
+                {"reason", failed.reason.empty() ? Json(nullptr) : Json(failed.reason)},
+                {"wrong", failed.wrong},
+                {"findings", std::move(findings)}};
   if (verification.options().judges_pairs) {
     field["persistence_findings"] = persistence_findings_field(failed.pair_findings);
   }

@@ -94,21 +94,19 @@ Json whole_complex_field(const FlowComplex& complex) {
   const FlowLimits& limits = complex.limits();
   const LimitTotals totals = totals_of(limits);
   const Obstacles obstacles = obstacles_of(complex);
-  Json object;
-  object["lists"] = limits.size();
-  object["directions"] = totals.directions;
-  object["arcs"] = totals.arcs;
-  object["connections"] = connections(limits).size();
-  object["morse_smale"] = obstacles.are_none();
-  object["with_interval"] = obstacles.with_interval;
-  object["ends_elsewhere"] = obstacles.ends_elsewhere;
   const Rational& hull = complex.volumes().hull();
-  object["hull_volume"] = to_text(hull);
-  object["hull_volume_double"] = nearest_field(hull);
   const std::optional<Rational> rest = volume_to_infinity(complex);
-  object["volume_to_infinity_double"] = rest ? nearest_field(*rest) : Json(nullptr);
-  object["volumes_decided_exactly"] = complex.volumes().decided_exactly();
-  return object;
+  return {{"lists", limits.size()},
+          {"directions", totals.directions},
+          {"arcs", totals.arcs},
+          {"connections", connections(limits).size()},
+          {"morse_smale", obstacles.are_none()},
+          {"with_interval", obstacles.with_interval},
+          {"ends_elsewhere", obstacles.ends_elsewhere},
+          {"hull_volume", to_text(hull)},
+          {"hull_volume_double", nearest_field(hull)},
+          {"volume_to_infinity_double", rest ? nearest_field(*rest) : Json(nullptr)},
+          {"volumes_decided_exactly", complex.volumes().decided_exactly()}};
 }
 
 }  // namespace flowcert::cli
