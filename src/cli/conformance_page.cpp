@@ -3,13 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <ostream>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/conformance_report.h"
+#include "cli/reason_table.h"
 #include "cli/shortened_numbers.h"
 #include "cli/table.h"
 #include "cli/xml_text.h"
@@ -41,8 +42,8 @@ li { margin: .5rem 0; } a { color: inherit; }
 
 // The characters that HTML gives a meaning, and control characters, are those of XML.
 std::string text_of(const Json& value) {
-  if (value.is_string()) return cli::xml_text(cli::with_short_numbers(value.get<std::string>()));
-  return cli::xml_text(value.dump());
+  if (value.is_string()) return xml_text(with_short_numbers(value.get<std::string>()));
+  return xml_text(value.dump());
 }
 
 // A path as a link: every byte that means something else in one is written as %20 and the like.
@@ -57,26 +58,17 @@ std::string link_to(const std::string& path) {
   return link;
 }
 
-// The keys of the tables' columns, and their titles.
-constexpr std::array<std::pair<const char*, const char*>, 9> kColumns = {{{"cases", "cases"},
-                                                                          {"conforms", "conforms"},
-                                                                          {"conforms_where_determined", "determined"},
-                                                                          {"perturbed", "perturbed"},
-                                                                          {"fails", "fails"},
-                                                                          {"refused", "refused"},
-                                                                          {"crashed", "crashed"},
-                                                                          {"timed_out", "timed out"},
-                                                                          {"unreadable", "unreadable"}}};
-
 void write_tallies(std::ostream& out, const char* key, const Json& rows) {
+  std::vector<std::string> columns = tally_outcomes();
+  columns.insert(columns.begin(), "cases");
   out << fmt::format("<div class=\"wide\"><table>\n<thead><tr><th scope=\"col\">{}</th>", key);
-  for (const auto& column : kColumns) out << fmt::format("<th scope=\"col\">{}</th>", column.second);
+  for (const std::string& column : columns) out << fmt::format("<th scope=\"col\">{}</th>", outcome_title(column));
   out << "</tr></thead>\n<tbody>\n";
   for (const Json& row : rows) {
     out << fmt::format("<tr><th scope=\"row\">{}</th>", text_of(row.at(key)));
-    for (const auto& column : kColumns) {
-      const auto count = row.at(column.first).get<std::size_t>();
-      out << (count == 0 ? "<td class=\"soft\">0</td>" : fmt::format("<td>{}</td>", cli::with_commas(count)));
+    for (const std::string& column : columns) {
+      const auto count = row.at(outcome_key(column)).get<std::size_t>();
+      out << (count == 0 ? "<td class=\"soft\">0</td>" : fmt::format("<td>{}</td>", with_commas(count)));
     }
     out << "</tr>\n";
   }
@@ -131,7 +123,7 @@ void write_case(std::ostream& out, const Json& one, const ConformancePageContext
   }
   out << "</ul>\n";
   if (const auto left_out = one.at("findings_left_out").get<std::size_t>(); left_out > 0) {
-    out << fmt::format("<p class=\"soft\">and {} more findings</p>\n", cli::with_commas(left_out));
+    out << fmt::format("<p class=\"soft\">and {} more findings</p>\n", with_commas(left_out));
   }
   out << "</details>\n";
 }
@@ -145,16 +137,16 @@ void write_head(std::ostream& out, const Json& report) {
          "<title>Flowcert conformance report</title>\n<style>"
       << kStyle << "</style>\n</head>\n<body>\n<h1>Conformance report</h1>\n";
   out << fmt::format("<p class=\"verdict {}\">{}</p>\n<p>Command: <code>{}</code></p>\n", is_right ? "good" : "bad",
-                     text_of(report.at("verdict")), cli::xml_text(report.at("command").get<std::string>()));
+                     text_of(report.at("verdict")), xml_text(report.at("command").get<std::string>()));
   if (const Json& statement = report.at("profile").at("statement"); !statement.is_null()) {
-    out << fmt::format("<p>{}</p>\n", cli::xml_text(statement.get<std::string>()));
+    out << fmt::format("<p>{}</p>\n", xml_text(statement.get<std::string>()));
   }
   for (const auto& [key, what] : {std::pair("orbit_command", "Orbits"), std::pair("persistence_command", "Pairs")}) {
     if (report.at(key).is_null()) continue;
-    out << fmt::format("<p>{}: <code>{}</code></p>\n", what, cli::xml_text(report.at(key).get<std::string>()));
+    out << fmt::format("<p>{}: <code>{}</code></p>\n", what, xml_text(report.at(key).get<std::string>()));
   }
   out << fmt::format("<p class=\"soft\">{} cases in {}; levels 1 to {}; tolerance {}; flowcert {} (commit {})</p>\n",
-                     report.at("cases").size(), cli::seconds_text(report.at("seconds").get<double>()),
+                     report.at("cases").size(), seconds_text(report.at("seconds").get<double>()),
                      text_of(report.at("highest_level")), text_of(report.at("tolerance")),
                      text_of(report.at("version")), text_of(report.at("commit")));
 }

@@ -25,90 +25,64 @@ constexpr std::size_t kCaseIndent = 4;
 
 // ---- Counting
 
-// The columns of the tables. An invalid case that is refused counts as conforming, one that is accepted as failing.
-struct Tally {
-  std::size_t cases = 0;  // without skipped ones
-  std::size_t conforms = 0;
-  std::size_t where_determined = 0;
-  std::size_t perturbed = 0;
-  std::size_t fails = 0;
-  std::size_t refused = 0;
-  std::size_t crashed = 0;
-  std::size_t timed_out = 0;
-  std::size_t unreadable = 0;
-  std::size_t skipped = 0;
+// The columns of the tables.
+constexpr std::array kColumns = {RunOutcome::kConforms,  RunOutcome::kConformsWhereDetermined,
+                                 RunOutcome::kPerturbed, RunOutcome::kFails,
+                                 RunOutcome::kRefused,   RunOutcome::kCrashed,
+                                 RunOutcome::kTimedOut,  RunOutcome::kUnreadable};
 
-  [[nodiscard]] std::size_t negative() const { return fails + refused + crashed + timed_out + unreadable; }
-};
-
-std::size_t& column_of(Tally& tally, RunOutcome outcome) {
-  switch (outcome) {
-    case RunOutcome::kConforms:
-    case RunOutcome::kProperlyRefused:
-      return tally.conforms;
-    case RunOutcome::kConformsWhereDetermined:
-      return tally.where_determined;
-    case RunOutcome::kPerturbed:
-      return tally.perturbed;
-    case RunOutcome::kSkipped:
-      return tally.skipped;
-    case RunOutcome::kFails:
-    case RunOutcome::kAccepted:
-      return tally.fails;
-    case RunOutcome::kRefused:
-      return tally.refused;
-    case RunOutcome::kCrashed:
-      return tally.crashed;
-    case RunOutcome::kTimedOut:
-      return tally.timed_out;
-    case RunOutcome::kUnreadable:
-      break;
-  }
-  return tally.unreadable;
+// An invalid case that is refused counts as conforming, one that is accepted as failing.
+RunOutcome column_of(RunOutcome outcome) {
+  if (outcome == RunOutcome::kAccepted) return RunOutcome::kFails;
+  return outcome == RunOutcome::kProperlyRefused ? RunOutcome::kConforms : outcome;
 }
 
-// The tally of the cases for which includes(case).
+std::size_t count_of(const OutcomeRow& row, RunOutcome column) {
+  return row.counts.at(static_cast<std::size_t>(std::ranges::find(kColumns, column) - kColumns.begin()));
+}
+
+std::size_t negative_of(const OutcomeRow& row) {
+  std::size_t sum = 0;
+  for (const RunOutcome column : kColumns) sum += is_negative(column) ? count_of(row, column) : 0;
+  return sum;
+}
+
+// Of the cases for which includes(case).
 template <typename Includes>
-Tally tally_of(const ConformanceReport& report, const Includes& includes) {
-  Tally tally;
+OutcomeRow row_of(const ConformanceReport& report, const std::string& name, const Includes& includes) {
+  OutcomeRow row{.name = name, .counts = std::vector<std::size_t>(kColumns.size())};
   for (const CaseOutcome& outcome : report.outcomes) {
     if (!includes(*outcome.of)) continue;
-    ++column_of(tally, outcome.outcome);
-    if (outcome.outcome != RunOutcome::kSkipped) ++tally.cases;
+    const auto column = std::ranges::find(kColumns, column_of(outcome.outcome));
+    ++(column == kColumns.end() ? row.skipped : row.counts[static_cast<std::size_t>(column - kColumns.begin())]);
   }
-  return tally;
+  return row;
 }
 
-Tally tally_of_all(const ConformanceReport& report) {
-  return tally_of(report, [](const VectorCase&) { return true; });
+OutcomeRow row_of_all(const ConformanceReport& report) {
+  return row_of(report, "all", [](const VectorCase&) { return true; });
 }
-
-struct NamedTally {
-  std::string name;
-  Tally tally;
-};
 
 // The flags that have a case that was run.
-std::vector<NamedTally> tallies_by_flag(const ConformanceReport& report) {
-  std::vector<NamedTally> tallies;
+std::vector<OutcomeRow> rows_by_flag(const ConformanceReport& report) {
+  std::vector<OutcomeRow> rows;
   for (const VectorFlag& flag : report.vectors.flags) {
-    const auto has_flag = [&](const VectorCase& one) {
+    rows.push_back(row_of(report, flag.name, [&](const VectorCase& one) {
       return std::ranges::find(one.flags, flag.name) != one.flags.end();
-    };
-    const Tally tally = tally_of(report, has_flag);
-    if (tally.cases > 0) tallies.push_back({flag.name, tally});
+    }));
   }
-  return tallies;
+  std::erase_if(rows, [](const OutcomeRow& row) { return row.cases() == 0; });
+  return rows;
 }
 
 // All groups that have a case, even if all their cases were skipped.
-std::vector<NamedTally> tallies_by_group(const ConformanceReport& report) {
-  std::vector<NamedTally> tallies;
+std::vector<OutcomeRow> rows_by_group(const ConformanceReport& report) {
+  std::vector<OutcomeRow> rows;
   for (const std::string& group : report.vectors.groups) {
-    const Tally tally = tally_of(report, [&](const VectorCase& one) { return one.group == group; });
-    if (tally.cases + tally.skipped > 0) tallies.push_back({group, tally});
+    rows.push_back(row_of(report, group, [&](const VectorCase& one) { return one.group == group; }));
   }
-  return tallies;
+  std::erase_if(rows, [](const OutcomeRow& row) { return row.cases() + row.skipped == 0; });
+  return rows;
 }
 
 std::size_t claims_judged(const ConformanceReport& report, std::size_t level) {
@@ -127,21 +101,6 @@ std::size_t persistence_judged(const ConformanceReport& report) {
 }
 
 // ---- Text
-
-void print_tallies(const char* title, const std::vector<NamedTally>& tallies) {
-  Table table("lrrrrrrrrr", {title, "cases", "conforms", "determined", "perturbed", "fails", "refused", "crashed",
-                             "timed out", "unreadable"});
-  for (const auto& [name, tally] : tallies) {
-    table.row(name);
-    for (const std::size_t count : {tally.cases, tally.conforms, tally.where_determined, tally.perturbed, tally.fails,
-                                    tally.refused, tally.crashed, tally.timed_out, tally.unreadable}) {
-      table.cell(count);
-    }
-  }
-  table.leave_out_zeros(3);
-  table.print_in_parts();
-  fmt::print("\n");
-}
 
 std::string outcome_words(const CaseOutcome& outcome) {
   switch (outcome.outcome) {
@@ -206,39 +165,39 @@ void print_other_negative_cases(const ConformanceReport& report, std::size_t mos
 // Prints the flags and groups whose cases are all negative, unless all cases are, and the flags and groups that all
 // negative cases have.
 void print_telling_names(const ConformanceReport& report) {
-  const Tally all = tally_of_all(report);
-  if (all.negative() == all.cases) return;
-  const auto tell = [&](const char* what, const std::vector<NamedTally>& tallies) {
-    for (const auto& [name, tally] : tallies) {
-      if (tally.cases >= 2 && tally.negative() == tally.cases) {
-        fmt::print("all {} cases {} {} are negative\n", tally.cases, what, name);
+  const OutcomeRow all = row_of_all(report);
+  if (negative_of(all) == all.cases()) return;
+  const auto tell = [&](const char* what, const std::vector<OutcomeRow>& rows) {
+    for (const OutcomeRow& row : rows) {
+      if (row.cases() >= 2 && negative_of(row) == row.cases()) {
+        fmt::print("all {} cases {} {} are negative\n", row.cases(), what, row.name);
       }
-      if (all.negative() >= 2 && tally.negative() == all.negative()) {
-        fmt::print("all {} negative cases are {} {}\n", all.negative(), what, name);
+      if (negative_of(all) >= 2 && negative_of(row) == negative_of(all)) {
+        fmt::print("all {} negative cases are {} {}\n", negative_of(all), what, row.name);
       }
     }
   };
-  tell("with the flag", tallies_by_flag(report));
-  tell("of the group", tallies_by_group(report));
+  tell("with the flag", rows_by_flag(report));
+  tell("of the group", rows_by_group(report));
 }
 
 // Prints for each reason the rarest flag that all of its cases have, if some other case does not have it.
 void print_flags_of_reasons(const ConformanceReport& report) {
-  std::vector<NamedTally> flags = tallies_by_flag(report);
-  std::ranges::stable_sort(flags, {}, [](const NamedTally& flag) { return flag.tally.cases; });
-  const std::size_t all = tally_of_all(report).cases;
+  std::vector<OutcomeRow> flags = rows_by_flag(report);
+  std::ranges::stable_sort(flags, {}, &OutcomeRow::cases);
+  const std::size_t all = row_of_all(report).cases();
   for (const ReasonRow& row : reasons_of(report)) {
     if (row.count < 2) continue;
-    const auto is_on_all = [&](const NamedTally& flag) {
+    const auto is_on_all = [&](const OutcomeRow& flag) {
       return std::ranges::all_of(report.outcomes, [&](const CaseOutcome& outcome) {
         const bool is_so = std::ranges::find(outcome.reasons, row.reason, &CaseReason::reason) != outcome.reasons.end();
         return !is_so || std::ranges::find(outcome.of->flags, flag.name) != outcome.of->flags.end();
       });
     };
     const auto flag = std::ranges::find_if(flags, is_on_all);
-    if (flag == flags.end() || flag->tally.cases == all) continue;
+    if (flag == flags.end() || flag->cases() == all) continue;
     print_wrapped(fmt::format("all {} cases of {} have the flag {}, as {} cases do", with_commas(row.count), row.reason,
-                              flag->name, with_commas(flag->tally.cases)),
+                              flag->name, with_commas(flag->cases())),
                   kCaseIndent);
   }
 }
@@ -291,28 +250,6 @@ void print_skipped(const ConformanceReport& report) {
 }
 
 // ---- JSON
-
-Json tally_field(const char* key, const NamedTally& named) {
-  const Tally& tally = named.tally;
-  Json field;
-  field[key] = named.name;
-  field["cases"] = tally.cases;
-  field["conforms"] = tally.conforms;
-  field["conforms_where_determined"] = tally.where_determined;
-  field["perturbed"] = tally.perturbed;
-  field["fails"] = tally.fails;
-  field["refused"] = tally.refused;
-  field["crashed"] = tally.crashed;
-  field["timed_out"] = tally.timed_out;
-  field["unreadable"] = tally.unreadable;
-  return field;
-}
-
-Json tallies_field(const char* key, const std::vector<NamedTally>& tallies) {
-  Json field = Json::array();
-  for (const NamedTally& named : tallies) field.push_back(tally_field(key, named));
-  return field;
-}
 
 Json orbit_findings_field(const CaseOutcome& outcome) {
   Json field = Json::array();
@@ -384,7 +321,7 @@ void write_test_case(std::ostream& out, const CaseOutcome& outcome) {
 
 // How many of the vectors the statement is about.
 std::string note_of(const ConformanceReport& report) {
-  const std::size_t asked = tally_of_all(report).cases, all = report.vectors.cases.size();
+  const std::size_t asked = row_of_all(report).cases(), all = report.vectors.cases.size();
   return asked == all ? fmt::format(" ({} vectors)", with_commas(all))
                       : fmt::format(" ({} of {} vectors)", with_commas(asked), with_commas(all));
 }
@@ -393,15 +330,14 @@ JudgedProfile judged_profile(const ConformanceReport& report) {
   return {report.verdict(), report.profile(), report.options.check.tolerance, note_of(report)};
 }
 
-void write_test_suite(std::ostream& out, const ConformanceReport& report, const NamedTally& group) {
-  const Tally& tally = group.tally;
+void write_test_suite(std::ostream& out, const ConformanceReport& report, const OutcomeRow& group) {
   double seconds = 0;
   for (const CaseOutcome& outcome : report.outcomes) {
     if (outcome.of->group == group.name) seconds += outcome.seconds;
   }
   out << fmt::format(
       "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\" time=\"{:.3f}\">\n",
-      xml_text(group.name), tally.cases + tally.skipped, tally.negative(), tally.skipped, seconds);
+      xml_text(group.name), group.cases() + group.skipped, negative_of(group), group.skipped, seconds);
   out << junit_properties(judged_profile(report));
   for (const CaseOutcome& outcome : report.outcomes) {
     if (outcome.of->group == group.name) write_test_case(out, outcome);
@@ -411,11 +347,18 @@ void write_test_suite(std::ostream& out, const ConformanceReport& report, const 
 
 }  // namespace
 
+std::vector<std::string> tally_outcomes() {
+  std::vector<std::string> texts;
+  for (const RunOutcome column : kColumns) texts.emplace_back(run_outcome_text(column));
+  return texts;
+}
+
 Verdict ConformanceReport::verdict() const {
-  const Tally all = tally_of_all(*this);
-  if (all.negative() > 0) return Verdict::kFails;
-  if (all.perturbed > 0) return Verdict::kPerturbed;
-  return all.where_determined > 0 ? Verdict::kConformsWhereDetermined : Verdict::kConforms;
+  const OutcomeRow all = row_of_all(*this);
+  if (negative_of(all) > 0) return Verdict::kFails;
+  if (count_of(all, RunOutcome::kPerturbed) > 0) return Verdict::kPerturbed;
+  return count_of(all, RunOutcome::kConformsWhereDetermined) > 0 ? Verdict::kConformsWhereDetermined
+                                                                 : Verdict::kConforms;
 }
 
 Profile ConformanceReport::profile() const {
@@ -428,19 +371,23 @@ Profile ConformanceReport::profile() const {
 
 void print_conformance_text(const ConformanceReport& report, std::size_t most) {
   const std::set<std::size_t> examples = print_reasons_and_examples(report);
-  print_tallies("flag", tallies_by_flag(report));
-  print_tallies("group", tallies_by_group(report));
+  print_outcomes("flag", tally_outcomes(), rows_by_flag(report));
+  fmt::print("\n");
+  print_outcomes("group", tally_outcomes(), rows_by_group(report));
+  fmt::print("\n");
   print_telling_names(report);
   print_flags_of_reasons(report);
   print_other_negative_cases(report, most, examples);
   print_skipped(report);
   print_judged(report);
   print_undecided(report);
-  const Tally all = tally_of_all(report);
+  const OutcomeRow all = row_of_all(report);
   fmt::print("\n");
   print_wrapped(fmt::format("{} cases in {}: {} conform, {} where determined, {} perturbed, {} negative",
-                            with_commas(all.cases), seconds_text(report.seconds), with_commas(all.conforms),
-                            with_commas(all.where_determined), with_commas(all.perturbed), with_commas(all.negative())),
+                            with_commas(all.cases()), seconds_text(report.seconds),
+                            with_commas(count_of(all, RunOutcome::kConforms)),
+                            with_commas(count_of(all, RunOutcome::kConformsWhereDetermined)),
+                            with_commas(count_of(all, RunOutcome::kPerturbed)), with_commas(negative_of(all))),
                 kCaseIndent);
   fmt::print("\n");
   print_conformity(judged_profile(report));
@@ -462,8 +409,8 @@ Json conformance_json(const ConformanceReport& report) {
   json["judged"] = judged_field(report);
   json["reasons"] = reasons_field(reasons_of(report),
                                   [&](const ReasonRow& row) { return Json(report.outcomes[row.example].of->id); });
-  json["flags"] = tallies_field("flag", tallies_by_flag(report));
-  json["groups"] = tallies_field("group", tallies_by_group(report));
+  json["flags"] = outcome_rows_field("flag", tally_outcomes(), rows_by_flag(report));
+  json["groups"] = outcome_rows_field("group", tally_outcomes(), rows_by_group(report));
   Json& cases = json["cases"] = Json::array();
   for (const CaseOutcome& outcome : report.outcomes) cases.push_back(case_field(outcome));
   return json;
@@ -473,7 +420,7 @@ void print_conformance_json(const ConformanceReport& report) { print_report_json
 
 void write_conformance_junit(std::ostream& out, const ConformanceReport& report) {
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
-  for (const NamedTally& group : tallies_by_group(report)) write_test_suite(out, report, group);
+  for (const OutcomeRow& group : rows_by_group(report)) write_test_suite(out, report, group);
   out << "</testsuites>\n";
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <iosfwd>
+#include <string>
 #include <vector>
 
 #include "certify/programs/conformance_run.h"
@@ -26,6 +27,9 @@ struct ConformanceReport {
 
 // The differences of persistence pairs in a report for programs.
 [[nodiscard]] Json persistence_findings_field(const std::vector<PairDifference>& differences);
+
+// The outcomes that tables count cases by, in words.
+[[nodiscard]] std::vector<std::string> tally_outcomes();
 
 // At most `most` negative cases are shown; the others are counted.
 void print_conformance_text(const ConformanceReport& report, std::size_t most);

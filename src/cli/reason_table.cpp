@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "cli/glossary.h"
 #include "cli/table.h"
@@ -59,6 +60,46 @@ void print_reasons(const std::vector<ReasonRow>& rows, const char* counted,
   table.print();
   print_meanings(rows);
   fmt::print("\n");
+}
+
+// ---- Outcomes ----
+
+std::size_t OutcomeRow::cases() const { return std::accumulate(counts.begin(), counts.end(), std::size_t{0}); }
+
+void print_outcomes(const char* what, const std::vector<std::string>& outcomes, const std::vector<OutcomeRow>& rows) {
+  Table table("l" + std::string(outcomes.size() + 1, 'r'), {what, "cases"});
+  for (const std::string& outcome : outcomes) table.cell(outcome_title(outcome));
+  for (const OutcomeRow& row : rows) {
+    table.row(row.name).cell(row.cases());
+    for (const std::size_t count : row.counts) table.cell(count);
+  }
+  table.leave_out_zeros(3);
+  table.print_in_parts();
+}
+
+std::string outcome_title(const std::string& outcome) {
+  return outcome == "conforms where determined" ? "determined" : outcome;
+}
+
+std::string outcome_key(std::string outcome) {
+  std::ranges::replace(outcome, ' ', '_');
+  return outcome;
+}
+
+void add_outcomes(Json& object, const std::vector<std::string>& outcomes, const OutcomeRow& row) {
+  object["cases"] = row.cases();
+  for (std::size_t k = 0; k < outcomes.size(); ++k) object[outcome_key(outcomes[k])] = row.counts.at(k);
+}
+
+Json outcome_rows_field(const char* what, const std::vector<std::string>& outcomes,
+                        const std::vector<OutcomeRow>& rows) {
+  Json field = Json::array();
+  for (const OutcomeRow& row : rows) {
+    Json& object = field.emplace_back();
+    object[what] = row.name;
+    add_outcomes(object, outcomes, row);
+  }
+  return field;
 }
 
 }  // namespace flowcert::cli

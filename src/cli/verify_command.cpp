@@ -46,12 +46,6 @@ constexpr std::size_t kMostRangesShown = 20;
 // What findings call the text of an answer; its lines count from 1.
 constexpr char kAnswer[] = "answer";
 
-constexpr std::array kColumns = {Outcome::kConforms,   Outcome::kConformsWhereDetermined,
-                                 Outcome::kPerturbed,  Outcome::kFails,
-                                 Outcome::kUnreadable, Outcome::kRefused,
-                                 Outcome::kUnanswered};
-static_assert(kColumns.size() == kOutcomes);
-
 std::size_t count_of(const OutcomeCounts& counts, Outcome outcome) {
   return counts.at(static_cast<std::size_t>(outcome));
 }
@@ -62,32 +56,35 @@ std::size_t total_of(const OutcomeCounts& counts) {
 
 std::size_t right_of(const OutcomeCounts& counts) {
   std::size_t right = 0;
-  for (const Outcome outcome : kColumns) right += is_right(outcome) ? count_of(counts, outcome) : 0;
+  for (std::size_t k = 0; k < counts.size(); ++k) right += is_right(static_cast<Outcome>(k)) ? counts.at(k) : 0;
   return right;
 }
 
-void add_row(Table& table, const std::string& name, const OutcomeCounts& counts) {
-  table.row(name).cell(total_of(counts));
-  for (const Outcome outcome : kColumns) table.cell(count_of(counts, outcome));
+std::vector<std::string> outcome_texts() {
+  std::vector<std::string> texts;
+  for (std::size_t k = 0; k < kOutcomes; ++k) texts.emplace_back(outcome_text(static_cast<Outcome>(k)));
+  return texts;
 }
 
-// The columns of outcomes that no case has are left out, but not the first two.
-void print_outcomes(const char* what, const CountsByName& rows, const std::optional<OutcomeCounts>& all) {
-  Table table("lrrrrrrrr",
-              {what, "cases", "conforms", "determined", "perturbed", "fails", "unreadable", "refused", "unanswered"});
-  for (const auto& [name, counts] : rows) add_row(table, name, counts);
-  if (all) add_row(table, "all", *all);
-  table.leave_out_zeros(3);
-  table.print_in_parts();
+OutcomeRow row_of(const std::string& name, const OutcomeCounts& counts) {
+  return {.name = name, .counts = {counts.begin(), counts.end()}};
+}
+
+std::vector<OutcomeRow> rows_of(const CountsByName& by_name) {
+  std::vector<OutcomeRow> rows;
+  for (const auto& [name, counts] : by_name) rows.push_back(row_of(name, counts));
+  return rows;
 }
 
 void print_tables(const Verification& verification) {
   const CountsByName flags = verification.counts_by_flag();
   if (!flags.empty()) {
-    print_outcomes("flag", flags, std::nullopt);
+    print_outcomes("flag", outcome_texts(), rows_of(flags));
     fmt::print("\n");
   }
-  print_outcomes(flags.empty() ? "family" : "group", verification.counts_by_family(), verification.counts());
+  std::vector<OutcomeRow> families = rows_of(verification.counts_by_family());
+  families.push_back(row_of("all", verification.counts()));
+  print_outcomes(flags.empty() ? "family" : "group", outcome_texts(), families);
 }
 
 // Prints the families and flags whose cases are all wrong, unless all cases are, and the family of all wrong cases.
@@ -279,28 +276,6 @@ void print_verdict(const Verification& verification) {
 
 // ---- JSON ----
 
-Json counts_field(const OutcomeCounts& counts) {
-  Json field;
-  field["cases"] = total_of(counts);
-  for (const Outcome outcome : kColumns) {
-    std::string key = outcome_text(outcome);
-    std::replace(key.begin(), key.end(), ' ', '_');
-    field[key] = count_of(counts, outcome);
-  }
-  return field;
-}
-
-Json table_field(const char* what, const CountsByName& rows) {
-  Json table = Json::array();
-  for (const auto& [name, counts] : rows) {
-    Json row;
-    row[what] = name;
-    row.update(counts_field(counts));
-    table.push_back(std::move(row));
-  }
-  return table;
-}
-
 Json failure_field(const Verification& verification, std::size_t number, const FailedCase& failed) {
   Json findings = Json::array();
   for (const Finding& finding : failed.findings) findings.push_back(finding_field(finding));
@@ -360,13 +335,14 @@ void print_verify_json(const Verification& verification, const std::string& cut)
   json["highest_level"] = verification.options().check.highest_level;
   json["truth"] = truth_text(verification);
   json["run"] = verification.cases().generate_command(verification.options().only);
-  json.update(counts_field(verification.counts()));
+  add_outcomes(json, outcome_texts(), row_of("all", verification.counts()));
   json["approximate"] = verification.approximate();
   json["partly_judged"] = verification.partly_judged();
   json["too_large_for_oracle"] = verification.too_large();
   json["reasons"] = reasons_field(reasons_of(verification), [](const ReasonRow& row) { return Json(row.example); });
-  json["families"] = table_field("family", verification.counts_by_family());
-  if (verification.is_stored()) json["flags"] = table_field("flag", verification.counts_by_flag());
+  json["families"] = outcome_rows_field("family", outcome_texts(), rows_of(verification.counts_by_family()));
+  if (verification.is_stored())
+    json["flags"] = outcome_rows_field("flag", outcome_texts(), rows_of(verification.counts_by_flag()));
   Json& failures = json["failures"] = Json::array();
   for (const auto& [number, failed] : verification.failures()) {
     failures.push_back(failure_field(verification, number, failed));
