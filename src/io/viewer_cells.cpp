@@ -1,13 +1,10 @@
 // Lists of limits come in the order of the stationary points, as the page's records do.
-#include "io/viewer_cells.h"
-
 #include <cstdint>
 #include <vector>
 
 #include "flowcert/connections.h"
 #include "io/cell_faces.h"
-#include "io/viewer_blob.h"
-#include "io/viewer_surfaces.h"
+#include "io/viewer_parts.h"
 
 namespace flowcert::io {
 
@@ -26,9 +23,7 @@ Json faces_field(const FlowComplex& complex, const ViewerFrame& frame, const std
     for (const auto& triangle : face.triangles) triangles.insert(triangles.end(), triangle.begin(), triangle.end());
     offsets.push_back(static_cast<std::uint32_t>(triangles.size() / 3));
   }
-  for (const Point& corner : made.corners) {
-    for (const double x : frame.placed(corner)) vertices.push_back(static_cast<float>(x));
-  }
+  for (const Point& corner : made.corners) frame.append(vertices, corner);
   return {{"between", viewer_blob(between)},
           {"triangle_offsets", viewer_blob(offsets)},
           {"triangles", viewer_blob(triangles)},

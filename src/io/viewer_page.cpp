@@ -14,12 +14,7 @@
 #include "geometry/floating_point.h"
 #include "geometry/rational_point.h"
 #include "io/json_fields.h"
-#include "io/viewer_blob.h"
-#include "io/viewer_cells.h"
-#include "io/viewer_frame.h"
-#include "io/viewer_pockets.h"
-#include "io/viewer_selection.h"
-#include "io/viewer_template.h"
+#include "io/viewer_parts.h"
 
 namespace flowcert {
 
@@ -37,9 +32,6 @@ struct ViewerContent {
   const ViewerFrame& frame;
   const ViewerSelection& selection;
 
-  void append(Floats& to, const Point& point) const {
-    for (const double x : frame.placed(point)) to.push_back(static_cast<float>(x));
-  }
   [[nodiscard]] std::uint32_t sample(PointId name) const {
     return static_cast<std::uint32_t>(complex.points().ordinal_of_row(name));
   }
@@ -96,7 +88,7 @@ Json records_field(const ViewerContent& content) {
     hulls.push_back(static_cast<std::uint8_t>(index.hull_dimension));
     if (!is_plain(stationary, record)) {
       const RoundedSphere sphere = content.complex.rounded_sphere(record);
-      content.append(positions, sphere.center);
+      content.frame.append(positions, sphere.center);
       squared.push_back(sphere.squared_radius);
     }
     for (const PointId name : stationary.contact(record)) contacts.push_back(content.sample(name));
@@ -137,7 +129,7 @@ Json s2_field(const ViewerContent& content, const Progress& progress) {
   Numbers records, offsets = {0}, triangles;
   std::vector<std::uint8_t> have_interval;
   Floats vertices;
-  for (const Point& vertex : mesh.vertices) content.append(vertices, vertex);
+  for (const Point& vertex : mesh.vertices) content.frame.append(vertices, vertex);
   std::size_t done = 0;
   for (const std::size_t set : content.selection.sets) {
     records.push_back(content.selection.place[s2.record(set)]);

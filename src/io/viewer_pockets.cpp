@@ -1,6 +1,4 @@
 // Lists of lists are stored as offsets and what they have, as everywhere in a page.
-#include "io/viewer_pockets.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -11,8 +9,7 @@
 #include "flowcert/surface.h"
 #include "geometry/difference_of_roots.h"
 #include "io/pocket_surfaces.h"
-#include "io/viewer_blob.h"
-#include "io/viewer_selection.h"
+#include "io/viewer_parts.h"
 
 namespace flowcert::io {
 
@@ -29,10 +26,6 @@ struct Lists {
     offsets.push_back(static_cast<std::uint32_t>(all.size()));
   }
 };
-
-void add_position(std::vector<float>& to, const ViewerFrame& frame, const Point& position) {
-  for (const double x : frame.placed(position)) to.push_back(static_cast<float>(x));
-}
 
 // The numbers of the deepest pockets, ascending. Depths are compared as doubles, because this only decides what is
 // drawn.
@@ -55,7 +48,7 @@ Json surfaces_field(const FlowComplex& complex, const ViewerFrame& frame, const 
   std::vector<float> vertices;
   for (const std::uint32_t number : chosen) {
     const auto first = static_cast<std::uint32_t>(vertices.size() / 3);
-    for (const Point& vertex : surfaces[number].vertices) add_position(vertices, frame, vertex);
+    for (const Point& vertex : surfaces[number].vertices) frame.append(vertices, vertex);
     for (const auto& triangle : surfaces[number].triangles) {
       for (const std::uint32_t vertex : triangle) triangles.push_back(first + vertex);
     }
@@ -89,7 +82,7 @@ Json mouths_field(const FlowComplex& complex, const ViewerFrame& frame, const Po
     triangles.insert(triangles.end(), corners.begin(), corners.end());
     offsets.push_back(static_cast<std::uint32_t>(triangles.size() / 3));
   }
-  for (const Point& vertex : mesh.vertices) add_position(vertices, frame, vertex);
+  for (const Point& vertex : mesh.vertices) frame.append(vertices, vertex);
   return {{"points", viewer_blob(points)},
           {"triangle_offsets", viewer_blob(offsets)},
           {"triangles", viewer_blob(triangles)},

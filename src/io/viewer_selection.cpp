@@ -1,8 +1,8 @@
-#include "io/viewer_selection.h"
-
 #include <algorithm>
 #include <limits>
 #include <utility>
+
+#include "io/viewer_parts.h"
 
 namespace flowcert::io {
 

@@ -1,5 +1,3 @@
-#include "io/viewer_surfaces.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -10,7 +8,7 @@
 #include "geometry/parallel_for.h"
 #include "geometry/rational_point.h"
 #include "io/clipped_polygon.h"
-#include "io/viewer_blob.h"
+#include "io/viewer_parts.h"
 
 namespace flowcert::io {
 

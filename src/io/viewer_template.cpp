@@ -1,8 +1,8 @@
 // The assembler takes the file as it is. A string literal of that size would take the compiler longer, and C++20 has
 // no other way to include bytes.
-#include "io/viewer_template.h"
-
 #include <cstddef>
+
+#include "io/viewer_parts.h"
 
 // CMake gives the path, and assembles this file anew when the page has changed.
 asm(".section .rodata\n"
