@@ -11,7 +11,7 @@
 #include "flowcert/orbit.h"
 #include "flowcert/read_points.h"
 #include "io/foreign_text.h"
-#include "io/with_commas.h"
+#include "io/number_text.h"
 
 namespace CLI {
 class App;

@@ -16,7 +16,6 @@
 #include "cli/table.h"
 #include "flowcert/flow_complex.h"
 #include "io/json_fields.h"
-#include "io/length_text.h"
 #include "io/medial_points.h"
 #include "io/number_text.h"
 #include "io/unstable_surface_export.h"

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "io/number_text.h"
-#include "io/with_commas.h"
 
 namespace flowcert::io {
 

@@ -1,4 +1,4 @@
-// The corners of regions of Voronoi facets as numbered points of a file.
+// The corners of regions of Voronoi facets as numbered points of a file, and pyramids over them as cells for VTK.
 //
 // Guarantees: two corners have one number iff their exact positions are equal. Their names say which of them
 // are equal, with one exception: the midpoint of a facet may lie on the facet's boundary. It is a regular stationary
@@ -13,6 +13,7 @@
 
 #include "flowcert/flow_complex.h"
 #include "io/layer.h"
+#include "io/vtk_exports.h"
 #include "morse/stable_regions.h"
 
 namespace flowcert::io {
@@ -53,6 +54,36 @@ class CornerNumbers {
   std::int64_t midpoint_ = kNone;
   std::multimap<Coordinates, Regular> regular_;
   std::map<Coordinates, std::int64_t> cuts_;
+};
+
+// A pyramid over a quadrangle is one cell. Over any other polygon it is cut into tetrahedra, from the first corner. Cells
+// have VTK's orientation if the corners are given as they are asked for.
+class PyramidSet {
+ public:
+  // Numbers of points. The corners are counterclockwise, seen from the apex. Returns how many cells that made.
+  std::size_t append(std::vector<std::int64_t> corners, std::int64_t apex) {
+    if (corners.size() == 4) {
+      corners.push_back(apex);
+      append_cell(corners, UnstructuredGrid::Shape::kPyramid);
+      return 1;
+    }
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+      append_cell({corners[0], corners[i], corners[i + 1], apex}, UnstructuredGrid::Shape::kTetrahedron);
+    }
+    return corners.size() < 3 ? 0 : corners.size() - 2;
+  }
+
+  [[nodiscard]] UnstructuredGrid take() { return std::move(grid_); }
+
+ private:
+  void append_cell(const std::vector<std::int64_t>& points, UnstructuredGrid::Shape shape) {
+    auto& connectivity = grid_.cells.connectivity;
+    connectivity.insert(connectivity.end(), points.begin(), points.end());
+    grid_.cells.offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+    grid_.shapes.push_back(shape);
+  }
+
+  UnstructuredGrid grid_;
 };
 
 }  // namespace flowcert::io

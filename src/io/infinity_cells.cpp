@@ -13,10 +13,9 @@
 #include "geometry/floating_point.h"
 #include "geometry/rational_point.h"
 #include "geometry/ring.h"
-#include "io/clipped_polygon.h"
+#include "io/clip_box.h"
 #include "io/corner_numbers.h"
 #include "io/number_text.h"
-#include "io/pyramid_set.h"
 #include "io/region_exports.h"
 #include "morse/stable_regions.h"
 
@@ -57,7 +56,7 @@ class InfinityCells {
       : complex_(complex), box_(box), regions_(complex.diagram(), complex.limits()), numbers_(complex, regions_) {
     if (!box) return;
     sides_ = sides_of(*box);
-    half_spaces_ = half_spaces(*box);
+    half_spaces_ = half_spaces(box->low(), box->high());
   }
 
   [[nodiscard]] UnstructuredGrid make() && {

@@ -1,6 +1,8 @@
 // Files as bytes in memory, and the contents of gzip streams.
 #pragma once
 
+#include <sys/stat.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -15,8 +17,13 @@ namespace flowcert::io {
 // opened or read. progress, if any, is called after each block, and when a signal interrupts the wait for one.
 [[nodiscard]] std::string read_bytes(const std::string& path, const std::function<void()>& progress = {});
 
-// What compressed data may grow to, in bytes: a hundred times what they are, and a megabyte where they are short, but
-// no more than 4 GB. Points and claims take a tenth of their size at the least; what takes a hundredth was made to fill
+// Whether the file with this status is one that this process has read, so that no output takes its place. A file is
+// known by its device and inode, whatever its name, also as standard input. One that is gone since is known no more, so
+// that its inode may have a new file. Any thread may call this.
+[[nodiscard]] bool is_input(const struct stat& status);
+
+// What compressed data may grow to, in bytes: a hundred times what they are, and a megabyte where they are short, but no
+// more than 4 GB. Points and claims take a tenth of their size at the least; what takes a hundredth was made to fill
 // memory. --unlimited lifts it.
 [[nodiscard]] std::uint64_t most_content(std::size_t compressed, bool is_unlimited);
 // What is said of data that grow beyond it. what: "gzip data".

@@ -3,11 +3,13 @@
 // here. from_chars would round one with more bits than a double, but the spec takes them exactly.
 #include "io/number_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/algorithm/string.hpp>
 #include <charconv>
 #include <cmath>
-#include <optional>
+#include <locale>
 #include <system_error>
 #include <vector>
 
@@ -35,18 +37,14 @@ constexpr std::size_t kLongestQuote = 40;
 // Exponents are counted up to here. No text that fits into memory has enough digits to bring a larger one into range.
 constexpr std::int64_t kExponentLimit = std::int64_t{1} << 50;
 
-// Reads an exponent: an optional sign and digits, all of `text`. The value saturates. False if `text` is no exponent.
-bool parse_exponent(std::string_view text, std::int64_t& exponent) {
-  const bool negative = text.starts_with('-');
-  if (negative || text.starts_with('+')) text.remove_prefix(1);
-  if (text.empty()) return false;
+// An exponent: an optional sign and digits, all of `text`. It saturates at the limit.
+std::optional<std::int64_t> exponent_of(std::string_view text, std::int64_t limit) {
+  const bool is_negative = text.starts_with('-');
+  if (is_negative || text.starts_with('+')) text.remove_prefix(1);
+  if (!is_integer(text)) return std::nullopt;
   std::int64_t magnitude = 0;
-  for (const char c : text) {
-    if (c < '0' || c > '9') return false;
-    magnitude = std::min(magnitude * 10 + (c - '0'), kExponentLimit);
-  }
-  exponent = negative ? -magnitude : magnitude;
-  return true;
+  for (const char c : text) magnitude = std::min(magnitude * 10 + (c - '0'), limit);
+  return is_negative ? -magnitude : magnitude;
 }
 
 int hex_digit(char c) {
@@ -85,10 +83,10 @@ bool parse_hex_value(std::string_view text, HexValue& value) {
   }
   if (!any_digit) return false;
   if (k == text.size()) return true;
-  std::int64_t written = 0;
-  if ((text[k] != 'p' && text[k] != 'P') || !parse_exponent(text.substr(k + 1), written)) return false;
-  value.exponent += written;
-  return true;
+  if (text[k] != 'p' && text[k] != 'P') return false;
+  const std::optional<std::int64_t> written = exponent_of(text.substr(k + 1), kExponentLimit);
+  value.exponent += written.value_or(0);
+  return written.has_value();
 }
 
 NumberText parse_hex(std::string_view text, bool negative) {
@@ -115,8 +113,7 @@ struct DecimalShape {
 DecimalShape shape_of(std::string_view text) {
   DecimalShape shape;
   const std::size_t mark = std::min(text.find_first_of("eE"), text.size());
-  std::int64_t exponent = 0;
-  if (mark < text.size()) parse_exponent(text.substr(mark + 1), exponent);
+  const std::int64_t exponent = mark < text.size() ? exponent_of(text.substr(mark + 1), kExponentLimit).value() : 0;
   const std::string_view body = text.substr(0, mark);
   std::int64_t place = static_cast<std::int64_t>(std::min(body.find('.'), body.size()));
   for (const char c : body) {
@@ -194,9 +191,7 @@ Integer parse_integer(std::string_view text, Sign sign) {
   const bool has_sign = sign == Sign::kMayBe && (text.starts_with('-') || text.starts_with('+'));
   const bool negative = has_sign && text.front() == '-';
   const std::string digits(text.substr(has_sign ? 1 : 0));
-  if (digits.empty() || !std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; })) {
-    throw InvalidInput("not a number: " + in_quotes(text));
-  }
+  if (!is_integer(digits)) throw InvalidInput("not a number: " + in_quotes(text));
   // A leading zero would mean octal to Boost.
   const std::size_t first = std::min(digits.find_first_not_of('0'), digits.size() - 1);
   const Integer value(digits.substr(first));
@@ -249,32 +244,38 @@ RationalPoint parse_rational_point(std::string_view text) {
   return {parse_rational(parts[0]), parse_rational(parts[1]), parse_rational(parts[2])};
 }
 
+LengthBound length_bound_of(std::string_view text, const std::string& option, std::size_t ordinal) {
+  using Unit = LengthBound::Unit;
+  constexpr std::string_view kSpacing = "spacing", kSquaredSpacing = "spacing^2";
+  const LinePlace place = {option, ordinal};
+  const auto number_of = [&](std::string_view digits) {
+    return claimed_number(digits, PlainInteger::kExact, place).value;
+  };
+  if (text == "auto") return {Unit::kValley, 0};
+  if (text.ends_with(kSquaredSpacing))
+    place.reject("a length is a multiple of spacing, not of its square: " + in_quotes(text));
+  if (text.ends_with(kSpacing)) return {Unit::kSpacing, number_of(text.substr(0, text.size() - kSpacing.size()))};
+  if (!text.starts_with('q')) return {Unit::kInput, number_of(text)};
+  const Rational share = number_of(text.substr(1));
+  if (share < 0 || share > 1) place.reject("no quantile from 0 to 1: " + in_quotes(text));
+  return {Unit::kQuantile, share};
+}
+
 // ---- What a claim can hold ----
 
 namespace {
 
 constexpr std::size_t kLongestDecimal = 2000;
 constexpr std::size_t kLongestFraction = 1000000;
-constexpr int kLargestExponent = 700;
+constexpr std::int64_t kLargestExponent = 700;
 
 // The digits times 10^exponent. They have no leading zeros, so zero has none; `decimals` of them are after the point.
 struct Decimal {
   bool is_negative = false;
   bool is_integer = true;  // neither a point nor an exponent
   std::string digits;
-  int decimals = 0;
-  int exponent = 0;
+  std::int64_t decimals = 0, exponent = 0;
 };
-
-// An exponent: an optional sign and digits, all of `text`. It saturates just above kLargestExponent.
-std::optional<int> exponent_of(std::string_view text) {
-  const bool is_negative = text.starts_with('-');
-  if (is_negative || text.starts_with('+')) text.remove_prefix(1);
-  if (text.empty() || !std::all_of(text.begin(), text.end(), is_digit)) return std::nullopt;
-  int magnitude = 0;
-  for (const char c : text) magnitude = std::min(magnitude * 10 + (c - '0'), kLargestExponent + 1);
-  return is_negative ? -magnitude : magnitude;
-}
 
 // None if the text is no decimal.
 std::optional<Decimal> split_decimal(std::string_view text) {
@@ -292,8 +293,8 @@ std::optional<Decimal> split_decimal(std::string_view text) {
       after_point = true;
       decimal.is_integer = false;
     } else {
-      const std::optional<int> exponent =
-          text[k] == 'e' || text[k] == 'E' ? exponent_of(text.substr(k + 1)) : std::nullopt;
+      const std::optional<std::int64_t> exponent =
+          text[k] == 'e' || text[k] == 'E' ? exponent_of(text.substr(k + 1), kLargestExponent + 1) : std::nullopt;
       if (!exponent || !any_digit) return std::nullopt;
       decimal.is_integer = false;
       decimal.exponent = *exponent;
@@ -306,7 +307,7 @@ std::optional<Decimal> split_decimal(std::string_view text) {
 Rational value_of(const Decimal& decimal) {
   if (decimal.digits.empty()) return 0;
   const Integer digits(decimal.digits);
-  const int power = decimal.exponent - decimal.decimals;
+  const std::int64_t power = decimal.exponent - decimal.decimals;
   const Integer scale = boost::multiprecision::pow(Integer(10), static_cast<unsigned>(power < 0 ? -power : power));
   Rational value = power < 0 ? Rational(digits, scale) : Rational(Integer(digits * scale));
   if (decimal.is_negative) value = -value;
@@ -359,12 +360,29 @@ int claimed_index(std::string_view text, const LinePlace& place) {
   return text[0] - '0';
 }
 
-std::size_t claimed_count(std::string_view text, const LinePlace& place) {
-  std::size_t count = 0;
+// ---- Counts ----
+
+std::uint64_t written_count(std::string_view text, const LinePlace& place) {
+  std::uint64_t count = 0;
   const char* const end = text.data() + text.size();
   const auto result = std::from_chars(text.data(), end, count);
   if (result.ptr != end || result.ec != std::errc()) place.reject("not a count: " + in_quotes(text));
   return count;
+}
+
+namespace {
+
+struct Commas : std::numpunct<char> {
+ protected:
+  [[nodiscard]] char do_thousands_sep() const override { return ','; }
+  [[nodiscard]] std::string do_grouping() const override { return "\3"; }
+};
+
+}  // namespace
+
+std::string with_commas(unsigned long long value) {
+  static const std::locale commas(std::locale::classic(), new Commas);
+  return fmt::format(commas, "{:L}", value);
 }
 
 // ---- To doubles ----
@@ -386,6 +404,31 @@ double finite(double value) {
 Point finite(const Point& position) {
   if (!position.is_finite()) throw BeyondDoubles();
   return position;
+}
+
+// ---- Bytes ----
+
+std::optional<StoredType> stored_type(char kind, std::uint64_t size) {
+  const bool is_small = size == 1 || size == 2;
+  if ((kind != 'f' && kind != 'i' && kind != 'u') || (size != 4 && size != 8 && !is_small)) return std::nullopt;
+  if (kind == 'f' && is_small) return std::nullopt;
+  return StoredType{kind, static_cast<std::size_t>(size)};
+}
+
+std::optional<double> stored_number(const char* bytes, StoredType type, bool is_big_endian) {
+  std::uint64_t bits = 0;
+  for (std::size_t k = 0; k < type.size; ++k) {
+    const std::size_t place = is_big_endian ? type.size - 1 - k : k;
+    bits |= std::uint64_t{static_cast<unsigned char>(bytes[k])} << (8 * place);
+  }
+  if (type == kFloat) return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+  if (type.kind == 'f') return std::bit_cast<double>(bits);
+  const bool is_negative = type.kind == 'i' && (bits >> (8 * type.size - 1)) != 0;
+  const std::size_t unused = 64 - 8 * type.size;
+  const std::uint64_t magnitude = is_negative ? (0 - bits) << unused >> unused : bits;
+  const auto value = static_cast<double>(magnitude);
+  if (value >= 0x1p64 || static_cast<std::uint64_t>(value) != magnitude) return std::nullopt;
+  return is_negative ? -value : value;
 }
 
 }  // namespace flowcert::io

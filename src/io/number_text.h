@@ -9,6 +9,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -18,6 +19,7 @@
 #include "flowcert/rational.h"
 #include "io/layer.h"
 #include "io/line_reader.h"
+#include "morse/length_bound.h"
 
 namespace flowcert::io {
 
@@ -52,6 +54,11 @@ struct NumberText {
 // Three numbers that parse_rational takes, separated by commas or blanks.
 [[nodiscard]] RationalPoint parse_rational_point(std::string_view text);
 
+// A bound on lengths or radii: "X", in units of the input; "3spacing", a multiple of the samples' spacing; "q0.9", a
+// quantile of all lengths; "auto", the length below the valley of their histogram. Numbers are read exactly. Throws
+// InvalidInput for anything else: the message begins with the option, and which one of these it is, from 1.
+[[nodiscard]] LengthBound length_bound_of(std::string_view text, const std::string& option, std::size_t ordinal);
+
 // ---- What a claim can hold ----
 // Numbers exact or decimal, ids, indices, counts.
 //
@@ -77,8 +84,13 @@ inline constexpr PointId kLargestId = 2147483646;
 // 0, 1, 2 or 3.
 [[nodiscard]] int claimed_index(std::string_view text, const LinePlace& place);
 
-// Digits alone.
-[[nodiscard]] std::size_t claimed_count(std::string_view text, const LinePlace& place);
+// ---- Counts ----
+
+// Digits alone; anything else is refused.
+[[nodiscard]] std::uint64_t written_count(std::string_view text, const LinePlace& place);
+
+// As people read them: "34,835".
+[[nodiscard]] std::string with_commas(unsigned long long value);
 
 // ---- To doubles ----
 // Exact positions and squared distances as the doubles nearest to them, for files that hold nothing else.
@@ -95,8 +107,8 @@ class BeyondDoubles : public InvalidInput {
 
 // ---- Bytes ----
 // Numbers as the bytes that binary files hold.
-//
-// Guarantees: little endian, whatever the machine.
+
+// Little endian, whatever the machine.
 template <std::unsigned_integral Bits>
 void append_little_endian(std::string& bytes, Bits bits) {
   for (std::size_t k = 0; k < sizeof(Bits); ++k) bytes += static_cast<char>((bits >> (8 * k)) & 0xffU);
@@ -108,5 +120,20 @@ template <std::signed_integral Number>
 void append_little_endian(std::string& bytes, Number value) {
   append_little_endian(bytes, static_cast<std::make_unsigned_t<Number>>(value));
 }
+
+// Of kind 'f', an IEEE float of 4 or 8 bytes, or an integer of 1, 2, 4 or 8: 'i' with a sign, 'u' without.
+struct StoredType {
+  char kind = 'f';
+  std::size_t size = 8;
+
+  friend bool operator==(const StoredType&, const StoredType&) = default;
+};
+inline constexpr StoredType kFloat = {'f', 4};
+
+// Nothing where there is no such type.
+[[nodiscard]] std::optional<StoredType> stored_type(char kind, std::uint64_t size);
+
+// The number at `bytes`, exactly. Nothing where no double has the value, which only large 64-bit integers lack.
+[[nodiscard]] std::optional<double> stored_number(const char* bytes, StoredType type, bool is_big_endian);
 
 }  // namespace flowcert::io

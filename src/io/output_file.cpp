@@ -19,7 +19,7 @@
 
 #include "io/diagnostic.h"
 #include "io/foreign_text.h"
-#include "io/inputs_read.h"
+#include "io/input_bytes.h"
 
 namespace flowcert::io {
 

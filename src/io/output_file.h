@@ -4,7 +4,7 @@
 // Guarantees: until commit() has returned, the target is what it was. The temporary file goes away with the object,
 // also on Ctrl-C, SIGTERM, a closed pipe, abort() and a limit of processor time, whichever thread is given the signal.
 // Every failed write throws OutputError, also on a full disk and at a limit of files' sizes.
-// A target that this process has read is refused (inputs_read.h). Symbolic links are followed. A file that is replaced
+// A target that this process has read is refused (input_bytes.h). Symbolic links are followed. A file that is replaced
 // keeps its mode and its owner; a warning says it where the owner cannot be kept.
 #pragma once
 

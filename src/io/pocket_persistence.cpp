@@ -6,7 +6,7 @@
 #include "geometry/floating_point.h"
 #include "io/coordinate_rounding.h"
 #include "io/layer.h"
-#include "io/length_text.h"
+#include "io/number_text.h"
 #include "morse/length_threshold.h"
 #include "morse/saddle_radii.h"
 

@@ -3,7 +3,6 @@
 #include <unordered_map>
 
 #include "geometry/floating_point.h"
-#include "io/byte_writer.h"
 #include "io/cell_faces.h"
 #include "io/layer.h"
 #include "io/number_text.h"
@@ -71,15 +70,7 @@ std::vector<PocketSurface> pocket_surfaces(const FlowComplex& complex, const Poc
 
 void write_ply(std::ostream& out, const PocketSurface& surface, const std::string& comment) {
   const geometry::IeeeDoubles ieee;
-  out << ply_header(comment, surface.vertices.size(), surface.triangles.size());
-  ByteWriter bytes(out);
-  for (const Point& point : surface.vertices) {
-    for (const double coordinate : point.coordinates()) bytes.append(coordinate);
-  }
-  for (const auto& triangle : surface.triangles) {
-    bytes.append(std::uint8_t{3});
-    for (const std::uint32_t vertex : triangle) bytes.append(vertex);
-  }
+  io::write_ply(out, surface.vertices, surface.triangles, comment);
 }
 
 }  // namespace flowcert

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "io/number_text.h"
-#include "io/stored_number.h"
 #include "io/table_columns.h"
 
 namespace flowcert::io {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace flowcert::io {
@@ -82,12 +81,9 @@ void add_first_three(Fields& fields, const LinePlace& place, PointRows& rows) {
   rows.add(row, place);
 }
 
-std::uint64_t announced_count(std::string_view field, const LinePlace& place) {
-  std::uint64_t count = 0;
-  const char* const end = field.data() + field.size();
-  const auto result = std::from_chars(field.data(), end, count);
-  if (result.ec != std::errc() || result.ptr != end) place.reject("not a count: " + in_quotes(field));
-  return count;
+void reject_further_bytes(std::string_view bytes, std::string_view file) {
+  const auto is_padding = [](char c) { return c == '\0' || is_blank(c); };
+  if (!std::ranges::all_of(bytes, is_padding)) reject_file(file, "there are more bytes than rows announced");
 }
 
 }  // namespace flowcert::io

@@ -60,7 +60,7 @@ class PointRows {
 // A point from the next three fields. Any further fields are not looked at.
 void add_first_three(Fields& fields, const LinePlace& place, PointRows& rows);
 
-// A row count or the like: digits alone. Anything else is refused.
-[[nodiscard]] std::uint64_t announced_count(std::string_view field, const LinePlace& place);
+// Throws InvalidInput for anything but blanks and zero bytes behind the last row.
+void reject_further_bytes(std::string_view bytes, std::string_view file);
 
 }  // namespace flowcert::io

@@ -44,7 +44,7 @@ AtomColumns columns_of(std::string_view properties, const LinePlace& place) {
   if (parts.size() % 3 != 0) place.reject("Properties= is not made of name:type:columns");
   AtomColumns columns{.label = SIZE_MAX, .position = SIZE_MAX, .least = 0, .are_said = true};
   for (std::size_t k = 0; k < parts.size(); k += 3) {
-    const std::uint64_t count = announced_count(parts[k + 2], place);
+    const std::uint64_t count = written_count(parts[k + 2], place);
     if (count == 0 || count > 1000) place.reject("a property of " + in_quotes(parts[k + 2]) + " columns");
     const bool is_position = parts[k] == "pos";
     if (is_position && (columns.position != SIZE_MAX || count != 3 || parts[k + 1] != "R")) {
@@ -97,7 +97,7 @@ class ChemicalReader {
 
  private:
   void read_frame(std::string_view first, bool is_wanted) {
-    const std::uint64_t count = announced_count(trimmed(first), lines_.place());
+    const std::uint64_t count = written_count(trimmed(first), lines_.place());
     std::string_view line;
     if (!lines_.next(line)) reject_file(rows_.file(), "cut short: no comment after the count of atoms");
     const std::string_view properties = value_of_key(line, "properties");

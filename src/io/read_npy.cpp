@@ -13,7 +13,6 @@
 
 #include "io/number_text.h"
 #include "io/point_formats.h"
-#include "io/stored_number.h"
 
 namespace flowcert::io {
 

@@ -15,7 +15,6 @@
 
 #include "io/number_text.h"
 #include "io/point_formats.h"
-#include "io/stored_number.h"
 
 namespace flowcert::io {
 
@@ -72,7 +71,7 @@ class PcdHeaderReader {
     return found->second;
   }
   [[nodiscard]] std::uint64_t count(const Entry& of, std::size_t k) const {
-    return announced_count(of.words[k], of.place);
+    return written_count(of.words[k], of.place);
   }
 
   [[nodiscard]] PcdHeader header() const {

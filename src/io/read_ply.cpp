@@ -22,7 +22,6 @@
 
 #include "io/number_text.h"
 #include "io/point_formats.h"
-#include "io/stored_number.h"
 
 namespace flowcert::io {
 
@@ -90,7 +89,7 @@ class HeaderLine {
     return field;
   }
 
-  std::uint64_t count() { return announced_count(word("count"), place_); }
+  std::uint64_t count() { return written_count(word("count"), place_); }
 
   [[noreturn]] void reject(const std::string& reason) const { place_.reject(reason); }
 

@@ -93,7 +93,7 @@ class TableReader {
     for (std::string_view line; next_of_block(line);) {
       const std::vector<std::string_view> words = words_of(line);
       if (words.size() != 1) lines_.place().reject("a count of rows is missing, or there are more rows than announced");
-      const std::uint64_t count = announced_count(words[0], lines_.place());
+      const std::uint64_t count = written_count(words[0], lines_.place());
       rows_.reserve(count, lines_.rest().size(), 6);
       for (std::uint64_t row = 0; row < count; ++row) {
         if (!next_of_block(line)) reject_missing(lines_.file(), count, "points", row);

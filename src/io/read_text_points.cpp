@@ -93,7 +93,7 @@ OffHeader read_off_header(LineReader& lines) {
       words = words_of(line);
       at = 0;
     }
-    return announced_count(words[at++], lines.place());
+    return written_count(words[at++], lines.place());
   };
   if (keyword.find('n') != std::string_view::npos) {
     if (const std::uint64_t dimension = next_count(); dimension != 3) {
@@ -121,7 +121,7 @@ void read_off(std::string_view text, PointRows& rows) {
   for (std::uint64_t face = 0; face < header.faces; ++face) {
     if (!lines.next_uncommented(line)) reject_missing(rows.file(), header.faces, "faces", face);
     const std::vector<std::string_view> words = words_of(line);
-    if (words.size() <= announced_count(words[0], lines.place())) lines.place().reject("a face lacks vertices");
+    if (words.size() <= written_count(words[0], lines.place())) lines.place().reject("a face lacks vertices");
   }
   if (lines.next_uncommented(line) && is_row_of_numbers(line)) {
     lines.place().reject(fmt::format("a row after the {} vertices and {} faces that the header announces",

@@ -8,7 +8,6 @@
 #include "geometry/floating_point.h"
 #include "io/corner_numbers.h"
 #include "io/number_text.h"
-#include "io/pyramid_set.h"
 #include "morse/stable_regions.h"
 
 namespace flowcert {

@@ -16,7 +16,6 @@
 #include <utility>
 
 #include "geometry/floating_point.h"
-#include "io/byte_writer.h"
 #include "io/number_text.h"
 #include "io/ply_header.h"
 #include "io/triangle_orientation.h"
@@ -101,15 +100,7 @@ SurfaceMesh surface_mesh(const FlowComplex& complex, std::span<const std::size_t
 
 void write_ply(std::ostream& out, const SurfaceMesh& mesh, const std::string& comment) {
   const geometry::IeeeDoubles ieee;
-  out << ply_header(comment, mesh.vertices.size(), mesh.triangles.size());
-  ByteWriter bytes(out);
-  for (const Point& point : mesh.vertices) {
-    for (const double coordinate : point.coordinates()) bytes.append(coordinate);
-  }
-  for (const Triangle& triangle : mesh.triangles) {
-    bytes.append(std::uint8_t{3});
-    for (const std::uint32_t vertex : triangle) bytes.append(vertex);
-  }
+  io::write_ply(out, mesh.vertices, mesh.triangles, comment);
 }
 
 void write_off(std::ostream& out, const SurfaceMesh& mesh, const std::string& comment) {

@@ -13,7 +13,7 @@
 #include "geometry/parallel_for.h"
 #include "geometry/rational_point.h"
 #include "io/byte_spool.h"
-#include "io/clipped_polygon.h"
+#include "io/clip_box.h"
 #include "io/number_text.h"
 #include "io/ply_header.h"
 #include "io/vtk_document.h"

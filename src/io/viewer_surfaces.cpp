@@ -7,7 +7,7 @@
 #include "flowcert/unstable_surfaces.h"
 #include "geometry/parallel_for.h"
 #include "geometry/rational_point.h"
-#include "io/clipped_polygon.h"
+#include "io/clip_box.h"
 #include "io/viewer_parts.h"
 
 namespace flowcert::io {
@@ -26,21 +26,9 @@ struct DrawnSurface {
 // Of a coordinate in the frame's box.
 float nearest_float(const Rational& x) { return static_cast<float>(nearest_double(x).value()); }
 
-std::vector<HalfSpace> sides_of_frame() {
-  std::vector<HalfSpace> sides;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (const int sign : {1, -1}) {
-      HalfSpace side{{0, 0, 0}, Rational(-ViewerFrame::kClip)};
-      side.normal[axis] = sign;
-      sides.push_back(std::move(side));
-    }
-  }
-  return sides;
-}
-
 class SurfaceDrawer {
  public:
-  explicit SurfaceDrawer(const ViewerFrame& frame) : frame_(frame), sides_(sides_of_frame()) {}
+  explicit SurfaceDrawer(const ViewerFrame& frame) : frame_(frame) {}
 
   [[nodiscard]] DrawnSurface drawn(const RoundedUnstableSurface& surface) const {
     DrawnSurface drawn;
@@ -82,7 +70,8 @@ class SurfaceDrawer {
   }
 
   const ViewerFrame& frame_;
-  std::vector<HalfSpace> sides_;
+  static constexpr double kClip = ViewerFrame::kClip;
+  std::vector<HalfSpace> sides_ = half_spaces({-kClip, -kClip, -kClip}, {kClip, kClip, kClip});
 };
 
 // By place in the list of sets.

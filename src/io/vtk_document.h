@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "io/byte_writer.h"
+#include "io/byte_spool.h"
 #include "io/vtk_exports.h"
 
 namespace flowcert::io {

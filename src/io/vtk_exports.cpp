@@ -2,13 +2,20 @@
 #include "io/vtk_exports.h"
 
 #include <algorithm>
+#include <array>
+#include <boost/container_hash/hash.hpp>
+#include <cmath>
 #include <limits>
+#include <unordered_map>
 
+#include "flowcert/sphere.h"
 #include "geometry/bounded_sphere.h"
+#include "geometry/contract.h"
 #include "geometry/floating_point.h"
-#include "io/clipped_orbits.h"
+#include "geometry/rational_point.h"
 #include "io/number_text.h"
 #include "io/vtk_document.h"
+#include "voronoi/voronoi_faces.h"
 
 namespace flowcert {
 
@@ -59,6 +66,69 @@ struct SeparatrixData {
   }
 };
 
+// Orbits to infinity, cut where they leave a box.
+//
+// Guarantees: what lies before the cut is as it was. An orbit leaves the box once, because outside of a convex set that
+// has all samples the flow goes away from that set. The cut lies where the straight line between the doubles on both
+// sides of it leaves the box, in the nearest doubles (ClipBox::exit). Its squared distance is that of these doubles to
+// their nearest samples, in the nearest double.
+class ClippedOrbits {
+ public:
+  // Both must outlive it.
+  ClippedOrbits(const FlowComplex& complex, const ClipBox& box)
+      : complex_(complex), box_(box), faces_(complex.diagram()) {}
+
+  // The points are those of UnstableManifolds::rounded_orbit(i, side), which goes to infinity. Afterwards the last one
+  // is where the orbit leaves the box: no new one, if the orbit leaves it at a point that it has.
+  void clip(std::size_t i, std::size_t side, std::vector<RoundedSphere>& points) {
+    const auto outside =
+        std::ranges::find_if(points, [&](const RoundedSphere& point) { return !box_.contains(point.center); });
+    const auto count = static_cast<std::size_t>(outside - points.begin());
+    FLOWCERT_REQUIRES(count > 0);  // the critical point is in the box
+    const Point from = points[count - 1].center;
+    RoundedSphere end;
+    if (outside == points.end()) {
+      const Point direction = complex_.unstable().direction_to_infinity(i, side).value();
+      end = known_cut({from.x, from.y, from.z, direction.x, direction.y, direction.z, 0});
+    } else if (const Point to = outside->center; to.is_finite()) {
+      end = known_cut({from.x, from.y, from.z, to.x, to.y, to.z, 1});
+    } else {
+      // The next point is beyond the doubles, so its exact position is made.
+      const Orbit orbit = complex_.unstable().orbit(i, side);
+      end = cut(from, *orbit.segments[count - 1].end - exact_position(from));
+    }
+    points.resize(count);
+    if (end.center != from) points.push_back(end);
+  }
+
+ private:
+  // A position, then either the direction from there and 0, or the next position and 1.
+  using Key = std::array<double, 7>;
+
+  RoundedSphere cut(const Point& from, const RationalPoint& direction) {
+    const Point end = box_.exit(from, direction);
+    const RationalPoint exact_end = exact_position(end);
+    const auto nearest = faces_.diagram().contact(faces_.locate(exact_end));
+    const Rational squared = geometry::squared_distance(exact_end, faces_.diagram().point(nearest.front()));
+    return {end, nearest_or_infinity(squared)};
+  }
+
+  RoundedSphere known_cut(const Key& key) {
+    const auto [known, is_new] = cuts_.try_emplace(key);
+    if (!is_new) return known->second;
+    const Point from{key[0], key[1], key[2]}, ahead{key[3], key[4], key[5]};
+    const RationalPoint direction = exact_position(ahead);
+    const bool is_position = key[6] == 1;
+    return known->second = cut(from, is_position ? direction - exact_position(from) : direction);
+  }
+
+  const FlowComplex& complex_;
+  const ClipBox& box_;
+  VoronoiFaces faces_;  // remembers where it last looked for a position
+  // Many orbits go the same way.
+  std::unordered_map<Key, RoundedSphere, boost::hash<Key>> cuts_;
+};
+
 // The finite part of an orbit: `count` points from `first` on.
 struct Line {
   std::size_t saddle = 0;
@@ -67,37 +137,27 @@ struct Line {
   std::int64_t first = 0, count = 0;
 };
 
-class LineSet {
- public:
+struct LineSet {
+  std::vector<Line> lines;
+  std::vector<Point> positions;
+  Values squared_distances;
+  Flags is_clipped;
+
   // has_clipped_end: the orbit's last point is where it leaves the box.
   void append(std::size_t saddle, std::int8_t side, std::optional<std::size_t> limit,
               const std::vector<RoundedSphere>& orbit, bool has_clipped_end) {
-    const auto count = static_cast<std::int64_t>(orbit.size());
-    lines_.push_back({.saddle = saddle, .side = side, .limit = limit, .first = size(), .count = count});
+    lines.push_back({.saddle = saddle,
+                     .side = side,
+                     .limit = limit,
+                     .first = static_cast<std::int64_t>(positions.size()),
+                     .count = static_cast<std::int64_t>(orbit.size())});
     for (const RoundedSphere& point : orbit) {
-      const bool is_clipped = has_clipped_end && &point == &orbit.back();
-      positions_.push_back(finite(point.center));
-      squared_distances_.push_back(is_clipped ? point.squared_radius : finite(point.squared_radius));
-      is_clipped_.push_back(is_clipped ? 1 : 0);
+      const bool is_cut = has_clipped_end && &point == &orbit.back();
+      positions.push_back(finite(point.center));
+      squared_distances.push_back(is_cut ? point.squared_radius : finite(point.squared_radius));
+      is_clipped.push_back(is_cut ? 1 : 0);
     }
   }
-
-  // Lines of one point come first, because the format has vertices before lines.
-  [[nodiscard]] std::vector<Line> take_lines() {
-    std::stable_partition(lines_.begin(), lines_.end(), [](const Line& line) { return line.count == 1; });
-    return std::move(lines_);
-  }
-  [[nodiscard]] std::vector<Point> take_positions() { return std::move(positions_); }
-  [[nodiscard]] Values take_squared_distances() { return std::move(squared_distances_); }
-  [[nodiscard]] Flags take_is_clipped() { return std::move(is_clipped_); }
-
- private:
-  [[nodiscard]] std::int64_t size() const { return static_cast<std::int64_t>(positions_.size()); }
-
-  std::vector<Line> lines_;
-  std::vector<Point> positions_;
-  Values squared_distances_;
-  Flags is_clipped_;
 };
 
 // The squared distance at one stationary point less that at another one.
@@ -165,6 +225,8 @@ LineSet lines_of(const FlowComplex& complex, const std::optional<ClipBox>& box, 
     }
     if (progress) progress(i + 1, u2.size());
   }
+  // Lines of one point come first, because the format has vertices before lines.
+  std::stable_partition(set.lines.begin(), set.lines.end(), [](const Line& line) { return line.count == 1; });
   return set;
 }
 
@@ -187,7 +249,7 @@ PolyData unstable_line_data(const FlowComplex& complex, const std::optional<Clip
     return finite(value);
   };
   const std::size_t first_saddle = complex.unstable().size() > 0 ? complex.unstable().saddle(0) : 0;
-  for (const Line& line : set.take_lines()) {
+  for (const Line& line : set.lines) {
     append_cell(line.count == 1 ? data.vertices : data.lines, line.first, line.count);
     constexpr double kUnbounded = std::numeric_limits<double>::infinity();
     // The critical points of index 2 are consecutive records.
@@ -199,9 +261,9 @@ PolyData unstable_line_data(const FlowComplex& complex, const std::optional<Clip
     sides.push_back(line.side);
     to_infinity.push_back(line.limit ? 0 : 1);
   }
-  data.points = set.take_positions();
-  if (box) data.point_data.push_back({"IsClipped", set.take_is_clipped()});
-  data.point_data.push_back({"SquaredDistance", set.take_squared_distances()});
+  data.points = std::move(set.positions);
+  if (box) data.point_data.push_back({"IsClipped", std::move(set.is_clipped)});
+  data.point_data.push_back({"SquaredDistance", std::move(set.squared_distances)});
   data.cell_data = std::move(separatrices).arrays();
   data.cell_data.push_back({"DestinationId", std::move(destinations)});
   data.cell_data.push_back({"Side", std::move(sides)});

@@ -12,9 +12,8 @@
 #include "geometry/bounded_sphere.h"
 #include "geometry/floating_point.h"
 #include "io/json_fields.h"
-#include "io/lambda_fields.h"
+#include "io/manifold_fields.h"
 #include "io/ordered_text.h"
-#include "io/piece_fields.h"
 
 namespace flowcert {
 

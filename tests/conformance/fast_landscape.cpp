@@ -6,9 +6,9 @@
 
 #include "flowcert/pockets.h"
 #include "io/json_fields.h"
+#include "io/manifold_fields.h"
 #include "io/medial_points.h"
 #include "io/number_text.h"
-#include "io/piece_fields.h"
 #include "io/write_pockets.h"
 
 namespace flowcert::conformance {

@@ -1,10 +1,9 @@
 // Polygons and lines that may reach to infinity, cut at a box: exact corners, and which of them are kept.
-#include "io/clipped_polygon.h"
-
 #include <gtest/gtest.h>
 
 #include <vector>
 
+#include "io/clip_box.h"
 #include "tests/cites.h"
 
 namespace flowcert::io::clipped_polygon_test {

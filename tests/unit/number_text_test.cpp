@@ -369,13 +369,13 @@ TEST(ClaimedNumber, IdsCountsAndIndicesAreDigitsAlone) {
   EXPECT_EQ(claimed_id("0", kPlace), 0U);
   EXPECT_EQ(claimed_id("007", kPlace), 7U);
   EXPECT_EQ(claimed_id("2147483646", kPlace), 2147483646U);
-  EXPECT_EQ(claimed_count("0018", kPlace), 18U);
-  EXPECT_EQ(claimed_count("18446744073709551615", kPlace), std::numeric_limits<std::uint64_t>::max());
+  EXPECT_EQ(written_count("0018", kPlace), 18U);
+  EXPECT_EQ(written_count("18446744073709551615", kPlace), std::numeric_limits<std::uint64_t>::max());
   EXPECT_EQ(claimed_index("3", kPlace), 3);
   for (const char* text :
        {"", "+1", "-1", "-0", "1.", "1.0", "1e0", "0x1", " 1", "1 ", "\u0661", "18446744073709551616"}) {
     EXPECT_THROW((void)claimed_id(text, kPlace), InvalidInput) << text;
-    EXPECT_THROW((void)claimed_count(text, kPlace), InvalidInput) << text;
+    EXPECT_THROW((void)written_count(text, kPlace), InvalidInput) << text;
     EXPECT_THROW((void)claimed_index(text, kPlace), InvalidInput) << text;
   }
   EXPECT_THROW((void)claimed_id("2147483647", kPlace), InvalidInput);

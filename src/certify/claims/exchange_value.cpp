@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "io/json_limits.h"
+#include "io/json_fields.h"
 
 namespace flowcert::certify {
 

@@ -7,7 +7,7 @@
 
 #include "certify/layer.h"
 #include "geometry/floating_point.h"
-#include "io/json_limits.h"
+#include "io/json_fields.h"
 #include "io/number_text.h"
 
 namespace flowcert {

@@ -9,7 +9,7 @@
 #include "certify/layer.h"
 #include "flowcert/write_persistence.h"
 #include "geometry/floating_point.h"
-#include "io/json_limits.h"
+#include "io/json_fields.h"
 #include "io/line_reader.h"
 #include "io/number_text.h"
 

@@ -254,7 +254,7 @@ class VtpParser {
   void start_piece(const Attributes& attributes) {
     VtpPiece& piece = document_.pieces.emplace_back();
     piece.place = place();
-    piece.point_count = claimed_count(attributes.get("NumberOfPoints", place()), place());
+    piece.point_count = written_count(attributes.get("NumberOfPoints", place()), place());
   }
 
   void start_array(std::optional<EncodedVtpArray>& slot, const Attributes& attributes) {
@@ -262,13 +262,13 @@ class VtpParser {
     EncodedVtpArray& array = slot.emplace();
     array.place = place();
     array.type = attributes.get("type", place());
-    array.components = claimed_count(attributes.find("NumberOfComponents").value_or("1"), place());
+    array.components = written_count(attributes.find("NumberOfComponents").value_or("1"), place());
     if (array.components == 0 || array.components > kMostComponents)
       place().reject("not a number of components: " + std::to_string(array.components));
     const std::string_view format = attributes.find("format").value_or("ascii");
     if (format == "appended") {
       array.placement = VtpPlacement::kAppended;
-      array.offset = claimed_count(attributes.get("offset", place()), place());
+      array.offset = written_count(attributes.get("offset", place()), place());
     } else if (format == "binary") {
       array.placement = VtpPlacement::kInlineBase64;
     } else if (format != "ascii") {
