@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "flow/worker_pool.h"
@@ -24,10 +25,11 @@ using namespace morse;
 
 namespace {
 
+using enum FlowComplexPart;
+
 // The others are not interrupted, and this file reports when they are made.
 bool tells_by_itself(FlowComplexPart part) {
-  return part == FlowComplexPart::kTriangulation || part == FlowComplexPart::kUnstable ||
-         part == FlowComplexPart::kStable || part == FlowComplexPart::kLimits || part == FlowComplexPart::kVolumes;
+  return part == kTriangulation || part == kUnstable || part == kStable || part == kLimits || part == kVolumes;
 }
 
 }  // namespace
@@ -56,26 +58,27 @@ struct FlowComplex::Parts {
   FlowOptions options;
   Progress progress;
 
+  // What is made of a part.
+  template <FlowComplexPart part>
+  [[nodiscard]] auto& get() {
+    return std::get<static_cast<std::size_t>(part)>(all_made);
+  }
+
   std::array<std::mutex, kFlowComplexParts> making;
   std::array<std::atomic<bool>, kFlowComplexParts> is_made{};
-  std::optional<Delaunay> triangulation;  // until the diagram is made
   FilterTally tally;
-  std::optional<VoronoiDiagram> diagram;
-  std::optional<StationaryPoints> stationary;
-  std::optional<UnstableManifolds> unstable;
-  std::optional<StableManifolds> stable;
-  std::optional<ChainComplex> chains;
-  std::optional<Persistence> persistence;
-  std::optional<FlowLimits> limits;
-  std::optional<StableVolumes> volumes;
-  std::optional<UnstableSurfaces> unstable_surfaces;
-  std::optional<MergeTrees> merge_trees;
+  // In the order of FlowComplexPart. The triangulation is there until the diagram is made.
+  std::tuple<std::optional<Delaunay>, std::optional<VoronoiDiagram>, std::optional<StationaryPoints>,
+             std::optional<UnstableManifolds>, std::optional<StableManifolds>, std::optional<ChainComplex>,
+             std::optional<Persistence>, std::optional<FlowLimits>, std::optional<StableVolumes>,
+             std::optional<UnstableSurfaces>, std::optional<MergeTrees>>
+      all_made;
 
   // All locators are copies of one, which share what does not change.
   auto with_locator(const FlowLimits& by_limits, const auto& use) {
     const auto make = [&] {
       const std::scoped_lock lock(making_locator);
-      if (!locator) locator.emplace(*diagram, *stationary, by_limits, options);
+      if (!locator) locator.emplace(*get<kDiagram>(), *get<kStationary>(), by_limits, options);
       return std::make_unique<FlowLocator>(*locator);
     };
     return locators.with(make, use);
@@ -105,122 +108,88 @@ void FlowComplex::make(FlowComplexPart part) const {
   if (all.is_made[number].load(std::memory_order_relaxed)) return;
   const auto progress = all.progress_of(part);
   switch (part) {
-    case FlowComplexPart::kTriangulation:
-      all.triangulation.emplace(all.points, progress, all.options.most_cells);
+    case kTriangulation:
+      all.get<kTriangulation>().emplace(all.points, progress, all.options.most_cells);
       break;
-    case FlowComplexPart::kDiagram:
-      make(FlowComplexPart::kTriangulation);
+    case kDiagram:
+      make(kTriangulation);
       all.tally = {};
-      all.diagram.emplace(*all.triangulation, &all.tally, all.options.threads, progress);
+      all.get<kDiagram>().emplace(*all.get<kTriangulation>(), &all.tally, all.options.threads, progress);
       break;
-    case FlowComplexPart::kStationary:
-      make(FlowComplexPart::kDiagram);
-      all.stationary = stationary_points(*all.diagram, all.options.threads, progress);
+    case kStationary:
+      all.get<kStationary>() = stationary_points(diagram(), all.options.threads, progress);
       break;
-    case FlowComplexPart::kUnstable:
-      make(FlowComplexPart::kStationary);
-      all.unstable.emplace(*all.diagram, *all.stationary, all.options, progress);
+    case kUnstable:
+      all.get<kUnstable>().emplace(diagram(), stationary(), all.options, progress);
       break;
-    case FlowComplexPart::kStable:
-      make(FlowComplexPart::kStationary);
-      all.stable.emplace(*all.diagram, *all.stationary, all.options, progress);
+    case kStable:
+      all.get<kStable>().emplace(diagram(), stationary(), all.options, progress);
       break;
-    case FlowComplexPart::kChains:
-      make(FlowComplexPart::kUnstable);
-      make(FlowComplexPart::kStable);
+    case kChains:
+      make(kUnstable);
+      make(kStable);
       if (progress) progress(0, 1);
-      all.chains.emplace(all.points, *all.stationary, *all.unstable, *all.stable, all.options.seed);
+      all.get<kChains>().emplace(all.points, stationary(), unstable(), stable(), all.options.seed);
       break;
-    case FlowComplexPart::kPersistence:
-      make(FlowComplexPart::kChains);
+    case kPersistence:
+      make(kChains);
       if (progress) progress(0, 1);
-      all.persistence.emplace(all.points, *all.stationary, *all.chains);
+      all.get<kPersistence>().emplace(all.points, stationary(), chains());
       break;
-    case FlowComplexPart::kLimits:
-      make(FlowComplexPart::kStationary);
-      all.limits.emplace(*all.diagram, *all.stationary, all.options, progress);
+    case kLimits:
+      all.get<kLimits>().emplace(diagram(), stationary(), all.options, progress);
       break;
-    case FlowComplexPart::kVolumes:
-      make(FlowComplexPart::kLimits);
-      all.volumes.emplace(*all.diagram, *all.stationary, *all.limits, all.options.threads, progress);
+    case kVolumes:
+      all.get<kVolumes>().emplace(diagram(), stationary(), limits(), all.options.threads, progress);
       break;
-    case FlowComplexPart::kUnstableSurfaces:
-      make(FlowComplexPart::kStationary);
+    case kUnstableSurfaces:
+      make(kStationary);
       if (progress) progress(0, 1);
-      all.unstable_surfaces.emplace(*all.diagram, *all.stationary, all.options);
+      all.get<kUnstableSurfaces>().emplace(diagram(), stationary(), all.options);
       break;
-    case FlowComplexPart::kMergeTrees:
-      make(FlowComplexPart::kLimits);
+    case kMergeTrees:
+      make(kLimits);
       if (progress) progress(0, 1);
-      all.merge_trees.emplace(all.points, *all.stationary, *all.limits);
+      all.get<kMergeTrees>().emplace(all.points, stationary(), limits());
       break;
   }
   // From here on nothing throws but the last report, and then the part stays.
   // The triangulation is as large as all of the diagram, and nothing asks for it any more.
-  if (part == FlowComplexPart::kDiagram) all.triangulation.reset();
+  if (part == kDiagram) all.get<kTriangulation>().reset();
   all.is_made[number].store(true, std::memory_order_release);
   if (progress && !tells_by_itself(part)) progress(1, 1);
 }
+
+namespace {
+
+template <FlowComplexPart part>
+const auto& made(const FlowComplex& complex, const auto& parts) {
+  complex.make(part);
+  return *parts->template get<part>();
+}
+
+}  // namespace
 
 const PointSet& FlowComplex::points() const { return parts_->points; }
 unsigned FlowComplex::threads() const { return parts_->options.threads; }
 
 int FlowComplex::dimension() const { return diagram().dimension(); }
 std::size_t FlowComplex::delaunay_cells() const { return diagram().delaunay().cells.size(); }
-const VoronoiDiagram& FlowComplex::diagram() const {
-  make(FlowComplexPart::kDiagram);
-  return *parts_->diagram;
-}
-
 const FilterTally& FlowComplex::filter_tally() const {
-  make(FlowComplexPart::kDiagram);
+  make(kDiagram);
   return parts_->tally;
 }
 
-const StationaryPoints& FlowComplex::stationary() const {
-  make(FlowComplexPart::kStationary);
-  return *parts_->stationary;
-}
-
-const UnstableManifolds& FlowComplex::unstable() const {
-  make(FlowComplexPart::kUnstable);
-  return *parts_->unstable;
-}
-
-const StableManifolds& FlowComplex::stable() const {
-  make(FlowComplexPart::kStable);
-  return *parts_->stable;
-}
-
-const ChainComplex& FlowComplex::chains() const {
-  make(FlowComplexPart::kChains);
-  return *parts_->chains;
-}
-
-const Persistence& FlowComplex::persistence() const {
-  make(FlowComplexPart::kPersistence);
-  return *parts_->persistence;
-}
-
-const FlowLimits& FlowComplex::limits() const {
-  make(FlowComplexPart::kLimits);
-  return *parts_->limits;
-}
-
-const StableVolumes& FlowComplex::volumes() const {
-  make(FlowComplexPart::kVolumes);
-  return *parts_->volumes;
-}
-
-const UnstableSurfaces& FlowComplex::unstable_surfaces() const {
-  make(FlowComplexPart::kUnstableSurfaces);
-  return *parts_->unstable_surfaces;
-}
-
-const MergeTrees& FlowComplex::merge_trees() const {
-  make(FlowComplexPart::kMergeTrees);
-  return *parts_->merge_trees;
-}
+const VoronoiDiagram& FlowComplex::diagram() const { return made<kDiagram>(*this, parts_); }
+const StationaryPoints& FlowComplex::stationary() const { return made<kStationary>(*this, parts_); }
+const UnstableManifolds& FlowComplex::unstable() const { return made<kUnstable>(*this, parts_); }
+const StableManifolds& FlowComplex::stable() const { return made<kStable>(*this, parts_); }
+const ChainComplex& FlowComplex::chains() const { return made<kChains>(*this, parts_); }
+const Persistence& FlowComplex::persistence() const { return made<kPersistence>(*this, parts_); }
+const FlowLimits& FlowComplex::limits() const { return made<kLimits>(*this, parts_); }
+const StableVolumes& FlowComplex::volumes() const { return made<kVolumes>(*this, parts_); }
+const UnstableSurfaces& FlowComplex::unstable_surfaces() const { return made<kUnstableSurfaces>(*this, parts_); }
+const MergeTrees& FlowComplex::merge_trees() const { return made<kMergeTrees>(*this, parts_); }
 
 ExactSphere FlowComplex::sphere(std::size_t record) const {
   const geometry::IeeeDoubles ieee;
