@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/bounded_arithmetic.h"
+#include "geometry/bounded_number.h"
 #include "morse/polygon_turn.h"
 
 namespace flowcert::morse {
@@ -15,12 +15,11 @@ using Kind = DivisionPoint::Kind;
 using geometry::doubled;
 
 constexpr double kShare = 64 * DoubleDouble::kRoundoff;
-constexpr double kRoundoff = geometry::kBoundedRoundoff;
 constexpr double kUnderflow = geometry::kBoundedUnderflow;
-constexpr double kSlack = 1 + 0x1p-30;
 
 double length_of(const Vector3<DoubleDouble>& v) {
-  return std::sqrt(v.x.high() * v.x.high() + v.y.high() * v.y.high() + v.z.high() * v.z.high()) * kSlack;
+  return std::sqrt(v.x.high() * v.x.high() + v.y.high() * v.y.high() + v.z.high() * v.z.high()) *
+         geometry::kBoundedSlack;
 }
 
 // The terms of an ApexPair with their bounds.
@@ -128,7 +127,7 @@ std::optional<Point> BoundedDivisions::rounded_crossing(const DivisionPoint& poi
   const auto coordinate = [&](double origin, const DoubleDouble& e_i, const DoubleDouble& out_i,
                               const DoubleDouble& n_i) {
     const BoundedNumber middle{DoubleDouble(origin * scale_) + e_i * DoubleDouble(0.5),
-                               kRoundoff * (std::fabs(origin * scale_) + length_e) + kUnderflow};
+                               geometry::kBoundedRoundoff * (std::fabs(origin * scale_) + length_e) + kUnderflow};
     const BoundedNumber far = across * BoundedNumber{out_i, kShare * area * length_e + kUnderflow};
     return in_input(middle + (far + along * BoundedNumber{n_i, kShare * area + kUnderflow}));
   };

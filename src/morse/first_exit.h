@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "geometry/bounded_arithmetic.h"
+#include "geometry/bounded_number.h"
 #include "morse/layer.h"
 
 namespace flowcert::morse {

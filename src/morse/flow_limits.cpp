@@ -12,7 +12,6 @@
 #include "morse/division_positions.h"
 #include "morse/limit_partition.h"
 #include "morse/polygon_turn.h"
-#include "voronoi/each_polygon.h"
 
 namespace flowcert {
 

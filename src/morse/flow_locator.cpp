@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "geometry/bounded_arithmetic.h"
+#include "geometry/bounded_number.h"
 #include "geometry/floating_point.h"
 #include "geometry/rational_point.h"
 #include "morse/bounded_divisions.h"

@@ -7,7 +7,6 @@
 
 #include "geometry/contract.h"
 #include "morse/record_facet.h"
-#include "voronoi/each_polygon.h"
 
 namespace flowcert::morse {
 

@@ -8,7 +8,6 @@
 #include "geometry/rational_point.h"
 #include "morse/division_positions.h"
 #include "morse/facet_regions.h"
-#include "voronoi/each_polygon.h"
 
 namespace flowcert {
 

@@ -18,7 +18,6 @@
 #include "morse/exact_divisions.h"
 #include "morse/limit_partition.h"
 #include "morse/polygon_turn.h"
-#include "voronoi/each_polygon.h"
 
 namespace flowcert {
 
@@ -197,7 +196,7 @@ std::optional<double> StableVolumes::Parts::rounded(const BoundedDivisions& divi
     for (const VolumeTerm& term : terms_of(record)) {
       const BoundedNumber next = bounded(divisions_, term);
       if (!(next.error < HUGE_VAL)) return std::nullopt;
-      sum = sum - BoundedNumber{-next.value, next.error};
+      sum = sum + next;
     }
   }
   return rounded_sixth(divisions_, sum);
@@ -365,7 +364,7 @@ std::optional<std::vector<std::pair<PointId, double>>> StableVolumes::Parts::rou
     for (next = i; next < parts.size() && parts[next].first == parts[i].first; ++next) {
       const BoundedNumber& part = parts[next].second;
       if (!(part.error < HUGE_VAL)) return std::nullopt;
-      sum = sum - BoundedNumber{-part.value, part.error};
+      sum = sum + part;
     }
     const auto share = rounded_sixth(shared, sum);
     if (!share) return std::nullopt;

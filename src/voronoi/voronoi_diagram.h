@@ -112,4 +112,18 @@ class VoronoiDiagram {
   const CompactDelaunay* delaunay_;
 };
 
+// Calls use(polygon) once for each Voronoi edge, by the facet that names its polygon, in the order of cells. Inputs of
+// dimension 1 and less have none.
+void for_each_polygon(const VoronoiDiagram& diagram, const auto& use) {
+  if (diagram.dimension() < 2) return;
+  const VoronoiComplex* spatial = diagram.spatial();
+  for (CellIndex cell = 0; cell < diagram.delaunay().finite_count; ++cell) {
+    for (std::uint32_t i = spatial != nullptr ? 0 : 3; i < 4; ++i) {
+      const FacetRef facet{cell, i};
+      if (spatial != nullptr && spatial->role(facet) == VoronoiComplex::FacetRole::kInterior) continue;
+      if (diagram.polygon(facet) == facet) use(PolygonRef(facet));
+    }
+  }
+}
+
 }  // namespace flowcert::voronoi

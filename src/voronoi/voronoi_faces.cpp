@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "geometry/contract.h"
-#include "geometry/distance_order.h"
+#include "geometry/nearest_samples.h"
 
 namespace flowcert::voronoi {
 

@@ -24,7 +24,6 @@
 #include "morse/exact_divisions.h"
 #include "morse/facet_regions.h"
 #include "morse/polygon_turn.h"
-#include "voronoi/each_polygon.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 //
 // Guarantees: it is held against squared distances in rationals, with last bits that differ, and with lengths beyond
 // the range of the filter. Ties are counted.
-#include "geometry/distance_order.h"
+#include "geometry/nearest_samples.h"
 
 #include <gtest/gtest.h>
 
