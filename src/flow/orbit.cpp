@@ -16,20 +16,15 @@ std::string type_text(const std::array<char, 3>& type) {
 
 struct Flow::Parts {
   Parts(const VoronoiDiagram& diagram, FlowOptions options)
-      : points(diagram.points()),
-        faces(diagram),
-        flow(make_flow_operator(faces, options)),
-        recorder(points, faces.diagram(), *flow),
-        forest(faces.diagram(), true) {}
+      : faces(diagram), flow(make_flow_operator(faces, options)), recorder(diagram, *flow), forest(diagram, true) {}
 
   Location locate(const RationalPoint& x) {
-    if (points.empty()) throw InvalidInput("there are no points");
+    if (faces.diagram().points().empty()) throw InvalidInput("there are no points");
     Location at{faces.locate(x), kNoPoint};
     if (at.place.kind != Place::Kind::kVertex) at.point = flow->add(x);
     return at;
   }
 
-  const PointSet& points;
   VoronoiFaces faces;
   std::unique_ptr<FlowOperator> flow;
   SegmentRecorder recorder;

@@ -8,7 +8,7 @@ namespace flowcert::flow {
 
 std::vector<PointId> SegmentRecorder::contact(const Place& place) const {
   std::vector<PointId> names;
-  for (const VertexIndex v : diagram_.contact(place)) names.push_back(name(v));
+  for (const VertexIndex v : diagram_.contact(place)) names.push_back(diagram_.name(v));
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -16,9 +16,9 @@ std::vector<PointId> SegmentRecorder::contact(const Place& place) const {
 RationalPoint SegmentRecorder::position(const Driver& driver) const {
   std::vector<PointId> names;
   names.reserve(driver.count);
-  for (std::size_t k = 0; k < driver.count; ++k) names.push_back(name(driver.samples[k]));
+  for (std::size_t k = 0; k < driver.count; ++k) names.push_back(diagram_.name(driver.samples[k]));
   std::sort(names.begin(), names.end());
-  return exact_sphere(points_, names).center;
+  return exact_sphere(diagram_.points(), names).center;
 }
 
 FlowSegment SegmentRecorder::segment(const Location& start, const FlowStep& step) const {
@@ -56,7 +56,7 @@ void SegmentRecorder::follow(Location at, Orbit& orbit) const {
 
 StationaryLimit SegmentRecorder::limit(const Place& place, StationaryIndex index) const {
   std::vector<PointId> names = contact(place);
-  return {exact_sphere(points_, names).center, index, std::move(names)};
+  return {exact_sphere(diagram_.points(), names).center, index, std::move(names)};
 }
 
 }  // namespace flowcert::flow

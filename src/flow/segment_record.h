@@ -8,11 +8,10 @@
 
 namespace flowcert::flow {
 
-// Turns the operator's own numbers into names and coordinates. All three arguments must outlive it.
+// Turns the operator's own numbers into names and coordinates. Both arguments must outlive it.
 class SegmentRecorder {
  public:
-  SegmentRecorder(const PointSet& points, const VoronoiDiagram& diagram, FlowOperator& flow)
-      : points_(points), diagram_(diagram), flow_(flow) {}
+  SegmentRecorder(const VoronoiDiagram& diagram, FlowOperator& flow) : diagram_(diagram), flow_(flow) {}
 
   [[nodiscard]] FlowSegment segment(const Location& start, const FlowStep& step) const;
   // Adds all that follows a point to its orbit, whose last segment, if there is one, ends there. The operator forgets
@@ -26,9 +25,7 @@ class SegmentRecorder {
  private:
   [[nodiscard]] FlowSegment segment(const Location& start, RationalPoint position_of_start, const FlowStep& step) const;
   [[nodiscard]] RationalPoint position(const Driver& driver) const;
-  [[nodiscard]] PointId name(VertexIndex v) const { return points_.name(diagram_.delaunay().ordinals[v]); }
 
-  const PointSet& points_;
   const VoronoiDiagram& diagram_;
   FlowOperator& flow_;
 };

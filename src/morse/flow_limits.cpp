@@ -46,7 +46,6 @@ struct FlowLimits::Parts {
     FLOWCERT_REQUIRES(i < records.size());
     return std::span(divisions).subspan(first[i], first[i + 1] - first[i]);
   }
-  [[nodiscard]] PointId name(VertexIndex v) const { return diagram.points().name(diagram.delaunay().ordinals[v]); }
 
   // Both are for who holds the mutex.
   [[nodiscard]] std::size_t first_direction(std::size_t i);
@@ -70,8 +69,8 @@ struct FlowLimits::Parts {
 void FlowLimits::Parts::turn_by_names(std::size_t record, std::vector<Division>& list) const {
   const StationaryIndex index = stationary.index(record);
   if (index.face_dimension == 1) {
-    const auto [v0, v1] = partition.facet_of(record);
-    if (name(v0) < name(v1)) return;
+    const auto [v0, v1] = facet_of_record(diagram, stationary, record);
+    if (diagram.name(v0) < diagram.name(v1)) return;
     // A cycle still begins with a point.
     const bool is_cycle = index.is_critical() && list.size() > 1;
     std::reverse(list.begin() + (is_cycle ? 1 : 0), list.end());
@@ -80,7 +79,7 @@ void FlowLimits::Parts::turn_by_names(std::size_t record, std::vector<Division>&
   if (!index.is_critical()) return;
   std::array<VertexIndex, 3> samples{};
   const auto contact = stationary.contact(record);
-  for (std::size_t i = 0; i < 3; ++i) samples[i] = partition.vertex_named(contact[i]);
+  for (std::size_t i = 0; i < 3; ++i) samples[i] = diagram.named(contact[i]);
   if (!has_turn(diagram, edge_of_record(stationary, record), samples)) std::swap(list.front(), list.back());
 }
 

@@ -59,7 +59,6 @@ struct FlowLocator::Map {
   }
   [[nodiscard]] std::optional<BoundedVector> offset(VertexIndex from, const RationalPoint& x) const;
   [[nodiscard]] VertexIndex nearby(const Point& x) const;
-  [[nodiscard]] PointId name(VertexIndex v) const { return diagram.points().name(diagram.delaunay().ordinals[v]); }
 
   const VoronoiDiagram& diagram;
   const StationaryPoints& stationary;
@@ -205,14 +204,14 @@ FlowPlace FlowLocator::Parts::follow(const RationalPoint& x) {
     if (!place.limit) throw std::logic_error("a stationary point that is not listed");
   }
   for (const VertexIndex v : faces.diagram().contact(faces.locate(x))) {
-    place.nearest.push_back(map->name(v));
+    place.nearest.push_back(map->diagram.name(v));
   }
   std::ranges::sort(place.nearest);
   return place;
 }
 
 FlowPlace FlowLocator::Parts::place(VertexIndex p, Limit limit) const {
-  FlowPlace place{std::nullopt, {map->name(p)}};
+  FlowPlace place{std::nullopt, {map->diagram.name(p)}};
   if (limit != kInfinityLimit) place.limit = limit;
   return place;
 }

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "geometry/contract.h"
-#include "morse/record_facet.h"
 
 namespace flowcert::morse {
 
@@ -19,9 +18,7 @@ constexpr std::size_t kEdgesBetweenTellings = 1024;
 LimitPartition::LimitPartition(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
                                const FlowOptions& options, const Progress& progress)
     : stationary_(stationary),
-      points_of_input_(diagram.points()),
-      vertex_of_(vertices_by_ordinal(diagram.delaunay())),
-      gabriel_(points_of_input_, stationary, vertex_of_),
+      gabriel_(diagram, stationary),
       diagram_(diagram),
       faces_(diagram),
       flow_(make_flow_operator(faces_, options)),
@@ -301,10 +298,6 @@ PointOfDivision LimitPartition::point_of(const FacetSides& sides, const FanEntry
 
 // ---- Directions ----
 
-FacetName LimitPartition::facet_of(std::size_t record) const {
-  return facet_of_record(diagram_, points_of_input_, vertex_of_, stationary_, record);
-}
-
 Division LimitPartition::direction_to_end(PolygonRef polygon, std::size_t end) {
   const CellIndex cluster = diagram_.end(polygon, end);
   if (cluster != kNoCell) return {of_vertex_[cluster], point_at_vertex(cluster)};
@@ -328,7 +321,8 @@ void LimitPartition::directions(std::size_t record, std::vector<Division>& list)
   const StationaryIndex index = stationary_.index(record);
   FLOWCERT_REQUIRES(index.face_dimension == 1 || index.face_dimension == 2);
   if (index.face_dimension == 2) return directions_of_face_2(record, list);
-  const FacetRing ring = faces_.ring(facet_of(record), cell_of_record(stationary_, record));
+  const FacetRing ring =
+      faces_.ring(facet_of_record(diagram_, stationary_, record), cell_of_record(stationary_, record));
   if (ring.size() == 0) {
     list.push_back({kInfinityLimit});
     return;

@@ -22,7 +22,7 @@
 #include "flowcert/flow_limits.h"
 #include "morse/backward_walk.h"
 #include "morse/facet_sides.h"
-#include "morse/record_face.h"
+#include "morse/record_finder.h"
 
 namespace flowcert::morse {
 
@@ -91,11 +91,6 @@ class LimitPartition {
   // comes the first one again, which is a point unless the arc is the whole circle. Other lists begin and end with a
   // point. For face dimension 2 there are the one or two points alone, side 0 first.
   void directions(std::size_t record, std::vector<Division>& list);
-  // Its samples, if the face has dimension 1.
-  [[nodiscard]] FacetName facet_of(std::size_t record) const;
-  [[nodiscard]] VertexIndex vertex_named(PointId name) const {
-    return vertex_of_[points_of_input_.ordinal_of_row(name)];
-  }
 
  private:
   struct FanEntry {
@@ -143,8 +138,6 @@ class LimitPartition {
   }
 
   const StationaryPoints& stationary_;
-  const PointSet& points_of_input_;
-  std::vector<VertexIndex> vertex_of_;
   GabrielEdges gabriel_;
   const VoronoiDiagram& diagram_;
   VoronoiFaces faces_;

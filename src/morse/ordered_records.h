@@ -34,7 +34,7 @@ class OrderedRecords {
   // sorting does not have to look elsewhere.
   struct Record {
     std::uint32_t size;
-    std::uint32_t face;  // record_face.h
+    std::uint32_t face;  // record_finder.h
     std::array<std::uint32_t, 4>
         small;  // ordinals, ascending; for more than four: the first one, and the place in large_
   };

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 
+#include "flow/drivers.h"
+#include "geometry/contract.h"
+
 namespace flowcert::morse {
 
 namespace {
@@ -48,14 +51,12 @@ std::optional<std::size_t> RecordFinder::find(StationaryIndex index, std::span<c
   return found;
 }
 
-GabrielEdges::GabrielEdges(const PointSet& points, const StationaryPoints& stationary,
-                           std::span<const VertexIndex> vertex_of)
-    : first_(vertex_of.size() + 1, 0) {
+GabrielEdges::GabrielEdges(const VoronoiDiagram& diagram, const StationaryPoints& stationary)
+    : first_(diagram.delaunay().points.size() + 1, 0) {
   const auto [first, last] = RecordFinder(stationary).range({1, 1});
   const auto ends = [&](std::size_t record) {
     const auto contact = stationary.contact(record);
-    const VertexIndex a = vertex_of[points.ordinal_of_row(contact[0])];
-    const VertexIndex b = vertex_of[points.ordinal_of_row(contact[1])];
+    const VertexIndex a = diagram.named(contact[0]), b = diagram.named(contact[1]);
     return std::array{std::min(a, b), std::max(a, b)};
   };
   for (std::size_t record = first; record < last; ++record) ++first_[ends(record)[0] + 1];
@@ -66,6 +67,22 @@ GabrielEdges::GabrielEdges(const PointSet& points, const StationaryPoints& stati
     const auto [v0, v1] = ends(record);
     edges_[next[v0]++] = {v1, static_cast<std::uint32_t>(record)};
   }
+}
+
+// A regular stationary point lies on the side at which one of its polygons has a right angle.
+FacetName facet_of_record(const VoronoiDiagram& diagram, const StationaryPoints& list, std::size_t record) {
+  const StationaryIndex index = list.index(record);
+  FLOWCERT_REQUIRES(index.face_dimension == 1);
+  if (index.is_critical()) {
+    const auto contact = list.contact(record);
+    return facet_name(diagram.named(contact[0]), diagram.named(contact[1]));
+  }
+  const PolygonRef polygon = index.hull_dimension == 2
+                                 ? edge_of_record(list, record)
+                                 : polygons_through(diagram, cell_of_record(list, record)).front();
+  const PolygonSides sides = diagram.sides(polygon);
+  const auto side = std::ranges::find(sides, Sign::kZero, &PolygonSide::angle);
+  return {side->v0, side->v1};
 }
 
 }  // namespace flowcert::morse

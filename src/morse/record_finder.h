@@ -1,4 +1,5 @@
-// Finds stationary points in the list: by index or kind and contact set, or, for index 1, by the two samples.
+// Finds stationary points in the list: by index or kind and contact set, or, for index 1, by the two samples. And
+// finds where in the diagram a stationary point of the list lies.
 //
 // Guarantees: exact, for a list in the order of spec clause FC-OUT-02.
 #pragma once
@@ -12,7 +13,7 @@
 
 #include "flowcert/stationary_points.h"
 #include "morse/layer.h"
-#include "voronoi/voronoi_faces.h"
+#include "voronoi/voronoi_diagram.h"
 
 namespace flowcert::morse {
 
@@ -35,8 +36,8 @@ class RecordFinder {
 // they lie side by side in memory.
 class GabrielEdges {
  public:
-  // vertex_of has the vertex of each ordinal in the point set. O(index-1 points + vertices).
-  GabrielEdges(const PointSet& points, const StationaryPoints& stationary, std::span<const VertexIndex> vertex_of);
+  // O(index-1 points + vertices).
+  GabrielEdges(const VoronoiDiagram& diagram, const StationaryPoints& stationary);
 
   // Where the midpoint is in the list; nothing where it is not critical.
   [[nodiscard]] std::optional<std::uint32_t> find(FacetName edge) const {
@@ -54,5 +55,31 @@ class GabrielEdges {
   std::vector<std::size_t> first_;
   std::vector<Edge> edges_;
 };
+
+// ---- Faces ----
+
+// The Voronoi face in which a stationary point lies, as one number: its place in the triangulation. That of a Voronoi
+// edge is its packed PolygonRef, and that of a Voronoi vertex its packed cluster. The number of an index-1 point is that
+// of a finite cell with its Delaunay edge. Index 0 has none.
+[[nodiscard]] inline std::uint32_t face_number(FacetRef facet) { return facet.packed(); }
+[[nodiscard]] inline std::uint32_t face_number(CellIndex cell) { return FacetRef{cell, 0}.packed(); }
+
+[[nodiscard]] inline PolygonRef edge_of_record(const StationaryPoints& list, std::size_t record) {
+  return PolygonRef::unpacked(list.face(record));
+}
+[[nodiscard]] inline CellIndex cell_of_record(const StationaryPoints& list, std::size_t record) {
+  return edge_of_record(list, record).cell;
+}
+
+// For index 2 and 3 and all kinds.
+[[nodiscard]] inline Place place_of_record(const StationaryPoints& list, std::size_t record) {
+  return list.index(record).hull_dimension == 3 ? Place::at_vertex(cell_of_record(list, record))
+                                                : Place::on_edge(edge_of_record(list, record));
+}
+
+// The samples of a stationary point with a face of dimension 1: its midpoint is theirs (FC-UNST-01). The time is in
+// proportion to the samples of its contact set, or to the facets of its cluster.
+[[nodiscard]] FacetName facet_of_record(const VoronoiDiagram& diagram, const StationaryPoints& list,
+                                        std::size_t record);
 
 }  // namespace flowcert::morse

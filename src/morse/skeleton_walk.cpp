@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "geometry/ring.h"
-#include "morse/record_face.h"
 
 namespace flowcert::morse {
 
@@ -96,7 +95,7 @@ std::vector<std::uint32_t> SkeletonWalk::tie_broken_ends(std::size_t record, Tie
   clear();
   std::vector<VertexIndex> samples;
   for (const PointId name : source_.stationary.contact(record)) {
-    samples.push_back(source_.vertex_of[source_.points.ordinal_of_row(name)]);
+    samples.push_back(source_.diagram.named(name));
   }
   return tie_broken_boundary(faces_.diagram(), walk_, start(record), samples, ties);
 }
@@ -108,13 +107,6 @@ std::size_t SkeletonWalk::depth() const {
   return depth;
 }
 
-std::array<PointId, 2> SkeletonWalk::names(FacetName facet) const {
-  const auto name = [this](VertexIndex v) { return source_.points.name(faces_.diagram().delaunay().ordinals[v]); };
-  std::array<PointId, 2> names{name(facet.v0), name(facet.v1)};
-  std::ranges::sort(names);
-  return names;
-}
-
 void SkeletonWalk::record_segment(const Task& task, const BackwardWalk::Back& back) {
   BackwardSegment<>& segment = found_.segments.emplace_back();
   segment.samples = names(task.facet);
@@ -122,7 +114,7 @@ void SkeletonWalk::record_segment(const Task& task, const BackwardWalk::Back& ba
   if (!segment.front.at_infinity) segment.front_contact = recorder_.contact(walk_.place(task.front));
   if (back.critical) {
     segment.back_contact = {segment.samples.begin(), segment.samples.end()};
-    segment.back = {exact_sphere(source_.points, segment.samples).center};
+    segment.back = {exact_sphere(source_.diagram.points(), segment.samples).center};
     return;
   }
   const Place& at = walk_.place(back.front);
@@ -179,7 +171,7 @@ void SkeletonWalk::record_sector(FacetName facet, const SectorParts& parts, std:
   arcs.insert(arcs.end(), parts.arcs.begin(), parts.arcs.end());
   std::vector<Corner<>> corners;
   for (const FrontNumber front : parts.corners) corners.push_back(corner(front));
-  if (parts.has_midpoint) corners.push_back({exact_sphere(source_.points, names(facet)).center});
+  if (parts.has_midpoint) corners.push_back({exact_sphere(source_.diagram.points(), names(facet)).center});
   make_canonical(corners);
   found_.sectors.push_back({names(facet), std::move(corners)});
 }
@@ -262,7 +254,7 @@ RoundedSegments SkeletonWalk::rounded_trace() {
     const std::uint32_t front = place_of(task.front);
     std::uint32_t end = 0;
     if (back.critical) {
-      end = add(rounded_sphere(source_.points, samples, 1), {samples.begin(), samples.end()});
+      end = add(rounded_sphere(source_.diagram.points(), samples, 1), {samples.begin(), samples.end()});
     } else if (back.is_regular) {
       const Location at = walk_.location(back.front);
       end = add(flow_->rounded(at), recorder_.contact(at.place));

@@ -29,9 +29,7 @@ namespace flowcert::morse {
 // What all walks over one diagram share. All that it refers to must outlive them.
 struct SkeletonSource {
   const VoronoiDiagram& diagram;
-  const PointSet& points;
   const StationaryPoints& stationary;
-  const std::vector<VertexIndex>& vertex_of;  // by ordinal in the point set
   const GabrielEdges& gabriel;
 };
 
@@ -46,7 +44,7 @@ class SkeletonWalk {
       : source_(source),
         faces_(source.diagram),
         flow_(make_flow_operator(faces_, options)),
-        recorder_(source.points, faces_.diagram(), *flow_),
+        recorder_(source.diagram, *flow_),
         walk_(faces_, *flow_, source.gabriel) {}
 
   // Walks the segments of a record's skeleton that lie before its intervals.
@@ -103,7 +101,7 @@ class SkeletonWalk {
     if (walk_.is_at_infinity(front)) return {walk_.direction(front), true};
     return {flow_->exact(walk_.location(front))};
   }
-  [[nodiscard]] std::array<PointId, 2> names(FacetName facet) const;
+  [[nodiscard]] std::array<PointId, 2> names(FacetName facet) const { return source_.diagram.names(facet); }
 
   SkeletonSource source_;
   VoronoiFaces faces_;

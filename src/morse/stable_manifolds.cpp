@@ -14,7 +14,6 @@
 #include "morse/along_the_curve.h"
 #include "morse/chain_boundary.h"
 #include "morse/layer.h"
-#include "morse/record_face.h"
 #include "morse/record_finder.h"
 #include "morse/skeleton_walk.h"
 
@@ -48,15 +47,10 @@ struct StableManifolds::Parts {
   };
 
   Parts(const VoronoiDiagram& voronoi, const StationaryPoints& list, FlowOptions how)
-      : diagram(voronoi),
-        points(voronoi.points()),
-        stationary(list),
-        options(how),
-        vertex_of(vertices_by_ordinal(voronoi.delaunay())),
-        gabriel(points, list, vertex_of) {}
+      : diagram(voronoi), stationary(list), options(how), gabriel(voronoi, list) {}
 
   [[nodiscard]] std::unique_ptr<SkeletonWalk> make_walk() const {
-    return std::make_unique<SkeletonWalk>(SkeletonSource{diagram, points, stationary, vertex_of, gabriel}, options);
+    return std::make_unique<SkeletonWalk>(SkeletonSource{diagram, stationary, gabriel}, options);
   }
 
   void compute(const Progress& progress);
@@ -76,10 +70,8 @@ struct StableManifolds::Parts {
   }
 
   const VoronoiDiagram& diagram;
-  const PointSet& points;
   const StationaryPoints& stationary;
   FlowOptions options;
-  std::vector<VertexIndex> vertex_of;
   GabrielEdges gabriel;
   std::size_t first_critical = 0, critical_count = 0, first_regular = 0;  // records
   std::vector<Set> sets;

@@ -15,11 +15,7 @@ using namespace morse;
 
 struct StableRegions::Parts {
   Parts(const VoronoiDiagram& voronoi, const FlowLimits& all)
-      : diagram(voronoi),
-        points(voronoi.points()),
-        partition(LimitPartition::of(all)),
-        faces(voronoi),
-        positions(diagram, partition) {}
+      : diagram(voronoi), partition(LimitPartition::of(all)), faces(voronoi), positions(diagram, partition) {}
 
   void visit_ring(const FacetRing& ring, const Visit& visit) const;
   // A corner at a Voronoi vertex or at infinity.
@@ -27,7 +23,6 @@ struct StableRegions::Parts {
   [[nodiscard]] RationalPoint midpoint(const StableRegion& region) const;
 
   const VoronoiDiagram& diagram;
-  const PointSet& points;
   const LimitPartition& partition;
   VoronoiFaces faces;
   DivisionPositions positions;
@@ -35,11 +30,8 @@ struct StableRegions::Parts {
 
 void StableRegions::Parts::visit_ring(const FacetRing& ring, const Visit& visit) const {
   StableRegion region;
-  for (std::size_t i = 0; i < 2; ++i) {
-    region.samples[i] = points.name(diagram.delaunay().ordinals[i == 0 ? ring.facet.v0 : ring.facet.v1]);
-  }
-  const bool is_turned = region.samples[0] > region.samples[1];
-  if (is_turned) std::swap(region.samples[0], region.samples[1]);
+  region.samples = diagram.names(ring.facet);
+  const bool is_turned = diagram.name(ring.facet.v1) == region.samples[0];
   for (FacetRegion& found : regions_of(diagram, partition, ring)) {
     region.limit = found.limit == kInfinityLimit ? std::nullopt : std::optional<std::size_t>(found.limit);
     region.corners = std::move(found.corners);
@@ -77,6 +69,7 @@ void StableRegions::visit(const Visit& visit) {
 }
 
 RationalPoint StableRegions::Parts::midpoint(const StableRegion& region) const {
+  const PointSet& points = diagram.points();
   return exact_midpoint(points.at_row(region.samples[0]), points.at_row(region.samples[1]));
 }
 

@@ -58,11 +58,7 @@ struct StableVolumes::Parts {
   };
 
   Parts(const VoronoiDiagram& voronoi, const StationaryPoints& list, const FlowLimits& all)
-      : diagram(voronoi),
-        points(voronoi.points()),
-        partition(LimitPartition::of(all)),
-        first(list.size() + 1, 0),
-        doubles(list.size(), 0) {}
+      : diagram(voronoi), partition(LimitPartition::of(all)), first(list.size() + 1, 0), doubles(list.size(), 0) {}
 
   void gather_terms();
   void gather_cell(CellIndex cell, std::vector<VolumeTerm>& found) const;
@@ -95,7 +91,6 @@ struct StableVolumes::Parts {
   [[nodiscard]] std::vector<FacetRef> triangles_of(PolygonRef polygon) const;
 
   const VoronoiDiagram& diagram;
-  const PointSet& points;
   const LimitPartition& partition;
   std::vector<VolumeTerm> terms;   // by record
   std::vector<std::size_t> first;  // of a record's
@@ -302,7 +297,7 @@ void StableVolumes::Parts::add_shares(const std::array<VertexIndex, 3>& triangle
     sum += weights[i];
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    const PointId name = points.name(diagram.delaunay().ordinals[triangle[i]]);
+    const PointId name = diagram.name(triangle[i]);
     shares.emplace_back(name, volume * (sum - weights[i]) / (2 * sum));
   }
 }
@@ -339,7 +334,7 @@ void StableVolumes::Parts::add_rounded_shares(const BoundedDivisions& divisions_
   const auto add = [&](const VolumeTerm& over_triangle, const std::array<VertexIndex, 3>& triangle) {
     const auto parts = divisions_.parts_of_corners(bounded(divisions_, over_triangle), triangle);
     for (std::size_t i = 0; i < 3; ++i) {
-      shares.emplace_back(points.name(diagram.delaunay().ordinals[triangle[i]]), parts[i]);
+      shares.emplace_back(diagram.name(triangle[i]), parts[i]);
     }
   };
   if (term.kind != VolumeTerm::Kind::kCell) return add(term, diagram.corners(PolygonRef::unpacked(term.face)));

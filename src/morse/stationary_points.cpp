@@ -13,7 +13,7 @@
 #include "geometry/portions.h"
 #include "morse/layer.h"
 #include "morse/ordered_records.h"
-#include "morse/record_face.h"
+#include "morse/record_finder.h"
 #include "voronoi/voronoi_diagram.h"
 
 namespace flowcert {

@@ -22,7 +22,7 @@
 #include "geometry/rational_point.h"
 #include "morse/along_the_curve.h"
 #include "morse/layer.h"
-#include "morse/record_face.h"
+#include "morse/polygon_turn.h"
 #include "morse/record_finder.h"
 
 namespace flowcert {
@@ -32,10 +32,6 @@ using namespace morse;
 namespace {
 
 constexpr std::size_t kProgressStep = 256;
-
-RationalPoint exact_normal(const Point& a, const Point& b, const Point& c) {
-  return normal_of(exact_position(a), exact_position(b), exact_position(c));
-}
 
 }  // namespace
 
@@ -67,7 +63,7 @@ class UnstableManifolds::Parts::Worker {
       : all_(all),
         faces_(all.diagram),
         flow_(make_flow_operator(faces_, all.options)),
-        recorder_(all.diagram.points(), faces_.diagram(), *flow_),
+        recorder_(all.diagram, *flow_),
         forest_(faces_.diagram(), all.options.share),
         rounded_(*flow_, faces_.diagram().delaunay().finite_count) {}
 
@@ -152,15 +148,14 @@ bool UnstableManifolds::Parts::Worker::is_reversed(std::size_t record, PolygonRe
     const std::array<std::uint32_t, 3> o{ordinals[corners[0]], ordinals[corners[1]], ordinals[corners[2]]};
     return int{o[0] < o[1]} + int{o[1] < o[2]} + int{o[2] < o[0]} == 1;
   }
-  return dot(exact_normal(faces_.diagram().point(corners[0]), faces_.diagram().point(corners[1]),
-                          faces_.diagram().point(corners[2])),
-             normal_of(record)) < 0;
+  const auto sample = [&](std::size_t k) { return all_.diagram.named(contact[k]); };
+  return !has_turn(all_.diagram, polygon, {sample(0), sample(1), sample(2)});
 }
 
 RationalPoint UnstableManifolds::Parts::Worker::normal_of(std::size_t saddle) const {
-  const PointSet& points = all_.diagram.points();
   const auto contact = all_.stationary.contact(saddle);
-  return exact_normal(points.at_row(contact[0]), points.at_row(contact[1]), points.at_row(contact[2]));
+  const auto at = [&](std::size_t k) { return exact_position(all_.diagram.points().at_row(contact[k])); };
+  return geometry::normal_of(at(0), at(1), at(2));
 }
 
 void UnstableManifolds::Parts::Worker::flow_from(std::span<const CellIndex> starts,

@@ -12,8 +12,7 @@
 #include "geometry/rational_point.h"
 #include "geometry/ring.h"
 #include "morse/forward_walk.h"
-#include "morse/record_face.h"
-#include "morse/record_facet.h"
+#include "morse/record_finder.h"
 #include "morse/surface_corners.h"
 
 namespace flowcert {
@@ -35,7 +34,7 @@ struct UnstableSurfaces::Parts {
   class Worker;
 
   Parts(const VoronoiDiagram& voronoi, const StationaryPoints& list, FlowOptions how)
-      : diagram(voronoi), stationary(list), options(how), vertex_of(vertices_by_ordinal(voronoi.delaunay())) {
+      : diagram(voronoi), stationary(list), options(how) {
     for (std::size_t record = 0; record < list.size(); ++record) {
       if (list.index(record).face_dimension == 1) records.push_back(static_cast<std::uint32_t>(record));
     }
@@ -44,7 +43,6 @@ struct UnstableSurfaces::Parts {
   const VoronoiDiagram& diagram;
   const StationaryPoints& stationary;
   FlowOptions options;
-  std::vector<VertexIndex> vertex_of;
   std::vector<std::uint32_t> records;
   WorkerPool<Worker> workers;
 };
@@ -56,13 +54,12 @@ class UnstableSurfaces::Parts::Worker {
       : all_(all),
         faces_(all.diagram),
         flow_(make_flow_operator(faces_, all.options)),
-        recorder_(all.diagram.points(), faces_.diagram(), *flow_),
+        recorder_(all.diagram, *flow_),
         walk_(faces_, *flow_),
         corners_(faces_, *flow_) {}
 
   [[nodiscard]] SurfaceParts parts(std::size_t record) {
-    const FacetName facet =
-        facet_of_record(faces_.diagram(), all_.diagram.points(), all_.vertex_of, all_.stationary, record);
+    const FacetName facet = facet_of_record(all_.diagram, all_.stationary, record);
     return walk_.walk(facet, cell_of_record(all_.stationary, record));
   }
   [[nodiscard]] UnstableSurface<> surface(std::size_t record);
@@ -72,12 +69,7 @@ class UnstableSurfaces::Parts::Worker {
   using RoundedParts = std::vector<RoundedUnstableSurface::Part>;
   using Corners = std::vector<std::uint32_t>;  // by number
 
-  [[nodiscard]] std::array<PointId, 2> names(FacetName facet) const {
-    const auto name = [this](VertexIndex v) {
-      return all_.diagram.points().name(faces_.diagram().delaunay().ordinals[v]);
-    };
-    return {std::min(name(facet.v0), name(facet.v1)), std::max(name(facet.v0), name(facet.v1))};
-  }
+  [[nodiscard]] std::array<PointId, 2> names(FacetName facet) const { return all_.diagram.names(facet); }
   void add_intervals(PolygonRef polygon, const std::vector<TracePart>& parts, std::vector<EdgePart<>>& to);
   void add_rounded(const EdgeParts& edge, RoundedParts& to);
   void add_rounded(const SheetParts& sheet, bool is_root, RoundedParts& to);
@@ -188,8 +180,7 @@ void UnstableSurfaces::Parts::Worker::add_rounded(const SheetParts& sheet, bool 
   for (const SurfaceEnd& end : sheet.corners) regions.front().push_back(corners_.number(end));
   // The walk goes around any sheet but its first one clockwise, seen from v1.
   const bool is_clockwise = !sheet.corners.empty() && !is_root;
-  const bool is_seen_from_v0 =
-      all_.diagram.points().name(faces_.diagram().delaunay().ordinals[sheet.facet.v0]) == samples[1];
+  const bool is_seen_from_v0 = all_.diagram.name(sheet.facet.v0) == samples[1];
   for (Corners& corners : regions) {
     if (is_clockwise != is_seen_from_v0) std::ranges::reverse(corners);
     to.push_back({RoundedUnstableSurface::Kind::kSheet, {samples[0], samples[1]}, std::move(corners)});

@@ -94,13 +94,6 @@ struct CompactDelaunay {
   }
 };
 
-// The inverse of `ordinals`.
-[[nodiscard]] inline std::vector<VertexIndex> vertices_by_ordinal(const CompactDelaunay& delaunay) {
-  std::vector<VertexIndex> vertex_of(delaunay.ordinals.size());
-  for (VertexIndex v = 0; v < vertex_of.size(); ++v) vertex_of[delaunay.ordinals[v]] = v;
-  return vertex_of;
-}
-
 // O(cells), one copy, and 8 bytes a cell meanwhile. The same for any number of threads.
 [[nodiscard]] CompactDelaunay compact_copy(const Delaunay& delaunay, unsigned threads = 1);
 

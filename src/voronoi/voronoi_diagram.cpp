@@ -29,7 +29,10 @@ VoronoiDiagram::VoronoiDiagram(const Delaunay& delaunay, FilterTally* tally, uns
       planar_(std::get_if<PlanarComplex>(&complex_)),
       delaunay_(spatial_ != nullptr  ? &spatial_->delaunay()
                 : planar_ != nullptr ? &planar_->delaunay()
-                                     : &std::get<CompactDelaunay>(complex_)) {}
+                                     : &std::get<CompactDelaunay>(complex_)),
+      vertex_of_(delaunay_->ordinals.size()) {
+  for (VertexIndex v = 0; v < vertex_of_.size(); ++v) vertex_of_[delaunay_->ordinals[v]] = v;
+}
 
 std::vector<CellIndex> VoronoiDiagram::cells_of(CellIndex cluster) const {
   if (spatial_->is_alone(cluster)) return {cluster};

@@ -6,6 +6,7 @@
 // threads share it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -75,6 +76,14 @@ class VoronoiDiagram {
   [[nodiscard]] int dimension() const { return delaunay_->dimension; }
   [[nodiscard]] const CompactDelaunay& delaunay() const { return *delaunay_; }
   [[nodiscard]] const Point& point(VertexIndex vertex) const { return delaunay_->points[vertex]; }
+  // The name of a sample (PointSet), and the sample that has a name.
+  [[nodiscard]] PointId name(VertexIndex vertex) const { return points_->name(delaunay_->ordinals[vertex]); }
+  [[nodiscard]] VertexIndex named(PointId name) const { return vertex_of_[points_->ordinal_of_row(name)]; }
+  // The names of a facet's samples, ascending.
+  [[nodiscard]] std::array<PointId, 2> names(FacetName facet) const {
+    const PointId a = name(facet.v0), b = name(facet.v1);
+    return {std::min(a, b), std::max(a, b)};
+  }
 
   // The first is null unless the points span R^3, the second unless they span a plane.
   [[nodiscard]] const VoronoiComplex* spatial() const { return spatial_; }
@@ -110,6 +119,7 @@ class VoronoiDiagram {
   const VoronoiComplex* spatial_;
   const PlanarComplex* planar_;
   const CompactDelaunay* delaunay_;
+  std::vector<VertexIndex> vertex_of_;  // by ordinal in the point set
 };
 
 // Calls use(polygon) once for each Voronoi edge, by the facet that names its polygon, in the order of cells. Inputs of

@@ -33,7 +33,7 @@
 #include "fuzz/inputs/large_configurations.h"
 #include "fuzz/properties/input_points.h"
 #include "morse/along_the_curve.h"
-#include "morse/record_face.h"
+#include "morse/record_finder.h"
 
 namespace {
 

@@ -64,8 +64,7 @@ class WatchedFlows {
   // Against the flow, over the facets that lead to each critical point of index 2, as far as Voronoi vertices or some
   // hundred steps.
   void walk_back() {
-    const std::vector<VertexIndex> vertex_of = vertices_by_ordinal(faces_.diagram().delaunay());
-    const morse::GabrielEdges gabriel(points_, complex_.stationary(), vertex_of);
+    const morse::GabrielEdges gabriel(faces_.diagram(), complex_.stationary());
     morse::BackwardWalk walk(faces_, flow_, gabriel);
     for_each_saddle([&](PolygonRef polygon) {
       std::vector<morse::FrontNumber> fronts = {walk.at_center(faces_.diagram().corners(polygon), polygon)};
@@ -85,13 +84,10 @@ class WatchedFlows {
  private:
   void for_each_saddle(const std::function<void(PolygonRef)>& visit) {
     const StationaryPoints& stationary = complex_.stationary();
-    const std::vector<VertexIndex> vertex_of = vertices_by_ordinal(faces_.diagram().delaunay());
     for (std::size_t record = 0; record < stationary.size(); ++record) {
       if (stationary.index(record) != StationaryIndex{2, 2}) continue;
       std::vector<VertexIndex> contact;
-      for (const PointId name : stationary.contact(record)) {
-        contact.push_back(vertex_of[points_.ordinal_of_row(name)]);
-      }
+      for (const PointId name : stationary.contact(record)) contact.push_back(faces_.diagram().named(name));
       visit(faces_.place_of(contact.front(), std::span(contact).subspan(1)).edge);
     }
   }

@@ -48,7 +48,7 @@ class StationaryPoints {
   // c_0 - c_1 + c_2 - c_3: 1, or 0 for the empty set.
   [[nodiscard]] long long euler_sum() const;
 
-  // Where the point lies in the diagram that the list was made of (src/morse/record_face.h).
+  // Where the point lies in the diagram that the list was made of (src/morse/record_finder.h).
   [[nodiscard]] std::uint32_t face(std::size_t i) const { return face_[i]; }
 
   // Prefetches a point's data, for those who go through the list in another order.
