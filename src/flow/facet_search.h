@@ -126,7 +126,7 @@ class RingQuery {
     FLOWCERT_REQUIRES(kernel_.sign_on_rung(SideOfRay{x, p0, p1, c}, KernelRung::kFilter).value_or(Sign::kZero) ==
                       Sign::kZero);
     return kernel_.sign(AlongRay{x, p0, p1, c}) == Sign::kPositive &&
-           kernel_.sign(BeforePoint{x, p0, p1, c}) == Sign::kPositive;
+           kernel_.sign(BeforePoint{x, p0, p1, c, c}) == Sign::kPositive;
   }
 
   // Goes around x from a reference vertex, and counts angles counterclockwise from it. One sign decides whether the

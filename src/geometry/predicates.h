@@ -28,10 +28,7 @@ struct Angle {
   static constexpr Predicate kPredicate = Predicate::kAngle;
   const Point &p, &q, &r;
 
-  template <class Between>
-  [[nodiscard]] auto vectors(const Between& between) const {
-    return std::array{between(q, p), between(q, r)};
-  }
+  [[nodiscard]] auto vectors(const auto& between) const { return std::array{between(q, p), between(q, r)}; }
   template <class Number>
   [[nodiscard]] static Number value(const std::array<Vector3<Number>, 2>& v) {
     return dot(v[0], v[1]);
@@ -44,8 +41,7 @@ struct SideOfPlane {
   static constexpr Predicate kPredicate = Predicate::kSideOfPlane;
   const Point &f0, &f1, &f2, &apex;
 
-  template <class Between>
-  [[nodiscard]] auto vectors(const Between& between) const {
+  [[nodiscard]] auto vectors(const auto& between) const {
     return std::array{between(f0, f1), between(f0, f2), between(f0, apex)};
   }
   // The circumcentre is numerator / (2 det). The apex lies at height det over ab, the centre at <ab, numerator> / (2
@@ -63,8 +59,7 @@ struct OutsideSphere {
   static constexpr Predicate kPredicate = Predicate::kCospherical;
   const Point &p0, &p1, &p2, &p3, &q;
 
-  template <class Between>
-  [[nodiscard]] auto vectors(const Between& between) const {
+  [[nodiscard]] auto vectors(const auto& between) const {
     return std::array{between(p0, p1), between(p0, p2), between(p0, p3), between(p0, q)};
   }
   template <class Number>
@@ -88,8 +83,7 @@ struct Orientation {
   static constexpr Predicate kPredicate = Predicate::kCoplanar;
   const Point &p0, &p1, &p2, &p3;
 
-  template <class Between>
-  [[nodiscard]] auto vectors(const Between& between) const {
+  [[nodiscard]] auto vectors(const auto& between) const {
     return std::array{between(p0, p1), between(p0, p2), between(p0, p3)};
   }
   template <class Number>
@@ -105,8 +99,7 @@ struct OutsideCircle {
   static constexpr Predicate kPredicate = Predicate::kCocircular;
   const Point &p0, &p1, &q, &r;
 
-  template <class Between>
-  [[nodiscard]] auto vectors(const Between& between) const {
+  [[nodiscard]] auto vectors(const auto& between) const {
     return std::array{between(q, p0), between(q, p1), between(r, p0), between(r, p1)};
   }
   // The sign is that of cot(q) + cot(r), over the common denominator. Both cross products are along the plane's

@@ -94,7 +94,7 @@ void expect_rungs(const Situation& all, Tally& tally) {
   ask(AroundStart{x, p, q, b, c});
   ask(RayAroundStart{x, p, q, b, r});
   ask(AlongRay{x, p, q, c});
-  ask(BeforePoint{x, p, q, c});
+  ask(BeforePoint{x, p, q, c, c});
   ask(AlongEdge{x, p, q, r});
   ask(NearerExit{x, p, r, s});
   EXPECT_EQ(k, expected.size());

@@ -47,21 +47,6 @@ template <class Number>
 
 // In each query, `at` gives the vector of an input point or of a kept one, in numbers of the kernel's choice.
 
-// <x-m, q-m>, for an input point or a kept one q.
-template <class At, class Target>
-[[nodiscard]] auto form_towards(const At& at, const Point& p0, const Point& p1, const Target& q) {
-  const auto v0 = at(p0), v1 = at(p1);
-  return linear_form(from_midpoint(at(q), v0, v1), 2, v0 + v1);
-}
-
-// <x-b, m-q>, for an input point or a kept one q.
-template <class At, class Target>
-[[nodiscard]] auto form_away(const At& at, const Point& p0, const Point& p1, PointNumber b, const Target& q) {
-  // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): most are doubles
-  const auto v0 = at(p0), v1 = at(p1), w = at(q);
-  return linear_form((v0 + v1) - (w + w), 1, at(b));
-}
-
 // <(x-m) ^ (c-m), p0p1>: positive where c lies counterclockwise of the ray from m through x, seen from p1
 // (Eq. 2, 3).
 struct SideOfRay {
@@ -70,8 +55,7 @@ struct SideOfRay {
   const Point &p0, &p1;
   PointNumber c;
 
-  template <class At>
-  [[nodiscard]] auto form(const At& at) const {
+  [[nodiscard]] auto form(const auto& at) const {
     const auto v0 = at(p0), v1 = at(p1), sum = v0 + v1;
     return linear_form(cross(from_midpoint(at(c), v0, v1), v1 - v0), 2, sum);
   }
@@ -85,8 +69,7 @@ struct OrderOfExits {
   PointNumber x;
   const Point &p0, &p1, &qi, &qj;
 
-  template <class At>
-  [[nodiscard]] auto form(const At& at) const {
+  [[nodiscard]] auto form(const auto& at) const {
     const auto v0 = at(p0), v1 = at(p1), wi = at(qi), wj = at(qj);
     using Number = std::remove_cvref_t<decltype(v0.x)>;
     const Number hi = dot(wi - v0, wi - v1), hj = dot(wj - v0, wj - v1);
@@ -94,19 +77,24 @@ struct OrderOfExits {
   }
 };
 
-// <x-m, q-m>: whether the ray from m through x approaches the bisector of q. This is the sign of Eq. 5 for the
-// Voronoi ray of p0 p1 q. The direction of that ray is +-(p1-p0) x (q-p0), and <d x (e x g), e> = <d,g> <e,e> for d
-// orthogonal to e.
-struct RayAtInfinity {
-  static constexpr FlowPrimitive kPrimitive = FlowPrimitive::kRayAtInfinity;
+// <x-m, q-m>, for an input point or a kept one q.
+template <FlowPrimitive primitive, class Target>
+struct Towards {
+  static constexpr FlowPrimitive kPrimitive = primitive;
   PointNumber x;
-  const Point &p0, &p1, &q;
+  const Point &p0, &p1;
+  Target q;
 
-  template <class At>
-  [[nodiscard]] auto form(const At& at) const {
-    return form_towards(at, p0, p1, q);
+  [[nodiscard]] auto form(const auto& at) const {
+    const auto v0 = at(p0), v1 = at(p1);
+    return linear_form(from_midpoint(at(q), v0, v1), 2, v0 + v1);
   }
 };
+// Whether the ray from m through x approaches the bisector of q. This is the sign of Eq. 5 for the Voronoi ray of
+// p0 p1 q. The direction of that ray is +-(p1-p0) x (q-p0), and <d x (e x g), e> = <d,g> <e,e> for d orthogonal to e.
+using RayAtInfinity = Towards<FlowPrimitive::kRayAtInfinity, const Point&>;
+// For q on the line from m through x: positive where q and x lie on the same side of m.
+using AlongRay = Towards<FlowPrimitive::kAroundStart, PointNumber>;
 
 // <(b-x) ^ (c-x), p0p1>: positive where c lies less than half a turn counterclockwise of b, seen from x. It is
 // <p0p1 ^ (c-b), x-b>.
@@ -116,52 +104,31 @@ struct AroundStart {
   const Point &p0, &p1;
   PointNumber b, c;
 
-  template <class At>
-  [[nodiscard]] auto form(const At& at) const {
+  [[nodiscard]] auto form(const auto& at) const {
     const auto from = at(b);  // NOLINT(performance-unnecessary-copy-initialization): most are doubles
     return linear_form(cross(at(p1) - at(p0), at(c) - from), 1, from);
   }
 };
 
-// <x-b, m-q>: the same for the direction of the Voronoi ray of p0 p1 q in place of c (see RayAtInfinity).
-struct RayAroundStart {
+// <x-b, m-q>, for an input point or a kept one q.
+template <class Target>
+struct Away {
   static constexpr FlowPrimitive kPrimitive = FlowPrimitive::kAroundStart;
   PointNumber x;
   const Point &p0, &p1;
   PointNumber b;
-  const Point& q;
+  Target q;
 
-  template <class At>
-  [[nodiscard]] auto form(const At& at) const {
-    return form_away(at, p0, p1, b, q);
+  [[nodiscard]] auto form(const auto& at) const {
+    // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): most are doubles
+    const auto v0 = at(p0), v1 = at(p1), w = at(q);
+    return linear_form((v0 + v1) - (w + w), 1, at(b));
   }
 };
-
-// <x-m, c-m>, for c on the line from m through x: positive where c and x lie on the same side of m.
-struct AlongRay {
-  static constexpr FlowPrimitive kPrimitive = FlowPrimitive::kAroundStart;
-  PointNumber x;
-  const Point &p0, &p1;
-  PointNumber c;
-
-  template <class At>
-  [[nodiscard]] auto form(const At& at) const {
-    return form_towards(at, p0, p1, c);
-  }
-};
-
-// <x-c, m-c>, for c on the line from m through x: positive where x lies before c, seen from m.
-struct BeforePoint {
-  static constexpr FlowPrimitive kPrimitive = FlowPrimitive::kAroundStart;
-  PointNumber x;
-  const Point &p0, &p1;
-  PointNumber c;
-
-  template <class At>
-  [[nodiscard]] auto form(const At& at) const {
-    return form_away(at, p0, p1, c, c);
-  }
-};
+// AroundStart for the direction of the Voronoi ray of p0 p1 q in place of c (see RayAtInfinity).
+using RayAroundStart = Away<const Point&>;
+// For b = q on the line from m through x: positive where x lies before q, seen from m.
+using BeforePoint = Away<PointNumber>;
 
 // <x-a, (b-a) x (c-a)>, for x on the Voronoi edge of a polygon with corners a, b, c: the side of the polygon's plane
 // on which x lies. It is also the side of the polygon's centre.
@@ -170,8 +137,7 @@ struct AlongEdge {
   PointNumber x;
   const Point &a, &b, &c;
 
-  template <class At>
-  [[nodiscard]] auto form(const At& at) const {
+  [[nodiscard]] auto form(const auto& at) const {
     const auto origin = at(a);
     return linear_form(cross(at(b) - origin, at(c) - origin), 1, origin);
   }
@@ -184,8 +150,7 @@ struct NearerExit {
   PointNumber x;
   const Point &p, &q, &r;
 
-  template <class At>
-  [[nodiscard]] auto form(const At& at) const {
+  [[nodiscard]] auto form(const auto& at) const {
     const auto origin = at(p), to_q = at(q) - origin, to_r = at(r) - origin;
     using Number = std::remove_cvref_t<decltype(origin.x)>;
     return linear_form(Number(dot(to_q, to_q)) * to_r - Number(dot(to_r, to_r)) * to_q, 1, origin);
@@ -208,9 +173,9 @@ template <class Number>
   const Vector3<Number> way = from_midpoint(x, p0, p1);
   const Number height = dot(q - p0, q - p1);
   const Number approach = dot(way, from_midpoint(q, p0, p1));
-  const Number stretch = Number(2) * height / approach;
+  const Number factor = Number(2) * height / approach;
   const Number half = Number(1) / Number(2);
-  return half * (p0 + p1 + stretch * way);
+  return half * (p0 + p1 + factor * way);
 }
 
 // The same in integers: x is given times `weight`, and the result is numerator / denominator. The denominator of x
