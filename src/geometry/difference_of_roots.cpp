@@ -59,19 +59,23 @@ Rational rounded_up(const Rational& number) {
   return shift < 0 ? Rational(units, power) : Rational(units * power);
 }
 
+// What `round` makes of sqrt(a) - sqrt(b), which must not be 0. Both ends of an interval around it come to one number.
+auto rounded_difference(const Rational& a, const Rational& b, const auto& round) {
+  const auto root_a = exact_root(a), root_b = exact_root(b);
+  if (root_a && root_b) return round(Rational(*root_a - *root_b));
+  for (unsigned digits = kFirstDigits;; digits *= 2) {
+    const Integer difference = scaled_root(a, digits) - scaled_root(b, digits);
+    if (abs(difference) <= 1) continue;
+    const Integer unit = Integer(1) << digits;
+    const auto low = round(Rational(difference - 1, unit)), high = round(Rational(difference + 1, unit));
+    if (low == high) return low;
+  }
+}
+
 }  // namespace
 
 double nearest_difference_of_roots(const Rational& a, const Rational& b) {
-  if (a == b) return 0;
-  const auto root_a = exact_root(a), root_b = exact_root(b);
-  if (root_a && root_b) return nearest_or_infinity(*root_a - *root_b);
-  for (unsigned digits = kFirstDigits;; digits *= 2) {
-    const Integer difference = scaled_root(a, digits) - scaled_root(b, digits);
-    const Integer unit = Integer(1) << digits;
-    const double low = nearest_or_infinity(Rational(difference - 1, unit)),
-                 high = nearest_or_infinity(Rational(difference + 1, unit));
-    if (low == high) return low;
-  }
+  return a == b ? 0 : rounded_difference(a, b, nearest_or_infinity);
 }
 
 std::strong_ordering operator<=>(const RootDifference& x, const RootDifference& y) {
@@ -83,18 +87,10 @@ std::strong_ordering operator<=>(const RootDifference& x, const RootDifference& 
 }
 
 Rational square_from_above(const RootDifference& number) {
-  const auto squared = [](const Rational& root) { return Rational(root * root); };
   if (number.less == 0) return number.square;
   if (number.square <= number.less) return 0;
-  const auto root = exact_root(number.square), root_less = exact_root(number.less);
-  if (root && root_less) return squared(rounded_up(*root - *root_less));
-  for (unsigned digits = kFirstDigits;; digits *= 2) {
-    const Integer difference = scaled_root(number.square, digits) - scaled_root(number.less, digits);
-    if (difference <= 1) continue;
-    const Integer unit = Integer(1) << digits;
-    const Rational low = rounded_up(Rational(difference - 1, unit)), high = rounded_up(Rational(difference + 1, unit));
-    if (low == high) return squared(low);
-  }
+  const Rational root = rounded_difference(number.square, number.less, rounded_up);
+  return root * root;
 }
 
 }  // namespace flowcert::geometry
