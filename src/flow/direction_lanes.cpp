@@ -37,8 +37,8 @@ inline void DirectionLanes::cross_lanes() {
     const Vector y = approach * (-1.0 * from_corner) + 2 * h * u;
     const double inverse = 1 / std::sqrt(dot(y, y));
     const double rounding = kCrossingBound * kRoundoff * squared_size * inverse;
-    const double stretch = std::sqrt(next_ee / ee);
-    const double height = (std::abs(dot(from_corner, e)) + kHeightBound * kRoundoff * squared_size) * stretch;
+    const double scaling = std::sqrt(next_ee / ee);
+    const double height = (std::abs(dot(from_corner, e)) + kHeightBound * kRoundoff * squared_size) * scaling;
     const double angle = std::abs(h) + angle_bound;
     const double turn = 4 * angle * height * inverse * inverse;
     const double norm = 2 * (angle < height ? height : angle) * inverse;

@@ -84,8 +84,8 @@ template <class Number>
   const Number inverse = Number(1) / sqrt(Number(dot(y, y)));
   const Number rounding = Number(kCrossingBound) * roundoff * way.squared_size * inverse;
   // The map's determinant in the facets' planes, and its norm.
-  const Number stretch = sqrt(Number(way.squared_area_ratio * next_ee / ee));
-  const Number height = (abs(way.height) + Number(kHeightBound) * roundoff * way.squared_size) * stretch;
+  const Number scaling = sqrt(Number(way.squared_area_ratio * next_ee / ee));
+  const Number height = (abs(way.height) + Number(kHeightBound) * roundoff * way.squared_size) * scaling;
   const Number angle = abs(h) + angle_bound;
   const Number turn = Number(4) * angle * height * inverse * inverse;
   const Number norm = Number(2) * std::max(angle, height) * inverse;
