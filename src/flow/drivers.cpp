@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "geometry/contract.h"
@@ -45,46 +44,38 @@ Boundary boundary_of(const VoronoiDiagram& diagram, CellIndex cluster) {
 
 // The polytope's edge that is obtuse in both its polygons.
 FacetName doubly_obtuse_edge(const VoronoiDiagram& diagram, const Boundary& boundary) {
-  std::vector<std::pair<VertexIndex, VertexIndex>> obtuse;
+  std::vector<FacetName> obtuse;
   for (const PolygonRef polygon : boundary.polygons) {
     for (const PolygonSide& side : diagram.sides(polygon)) {
-      if (side.angle == Sign::kNegative) obtuse.emplace_back(side.v0, side.v1);
+      if (side.angle == Sign::kNegative) obtuse.push_back(side.facet());
     }
   }
-  std::sort(obtuse.begin(), obtuse.end());
-  const auto twice = std::adjacent_find(obtuse.begin(), obtuse.end());
+  std::ranges::sort(obtuse);
+  const auto twice = std::ranges::adjacent_find(obtuse);
   if (twice == obtuse.end()) throw std::logic_error("a Voronoi vertex without a driver");
-  return {twice->first, twice->second};
+  return *twice;
 }
 
 // A Voronoi vertex of one cell. Its four facets are its polytope's polygons, and the cell has the signs of all of them.
 VertexFlow lone_vertex_flow(const VoronoiDiagram& diagram, CellIndex cell) {
   const VoronoiComplex& complex = diagram.complex();
   const TetrahedronSigns& signs = complex.signs(cell);
-  VertexFlow flow;
   std::size_t negative = 0, zeros = 0;
   for (std::uint32_t i = 0; i < 4; ++i) {
     const Sign side = complex.side({cell, i});
     zeros += side == Sign::kZero ? 1 : 0;
     if (side != Sign::kNegative) continue;
     ++negative;
-    if (signs.is_obtuse(i)) continue;
-    flow.way = VertexFlow::Way::kAlongEdge;
-    flow.edge = diagram.polygon({cell, i});
-    return flow;
+    if (!signs.is_obtuse(i)) return {.way = VertexFlow::Way::kAlongEdge, .edge = diagram.polygon({cell, i})};
   }
-  if (negative == 0) {
-    flow.index = {static_cast<std::uint8_t>(zeros == 0 ? 3 : zeros == 1 ? 2 : 1), 3};
-    return flow;
-  }
+  if (negative == 0) return {.index = {static_cast<std::uint8_t>(zeros == 0 ? 3 : zeros == 1 ? 2 : 1), 3}};
   // Facets i and j share an edge. Vertex j sees it in facet i, vertex i in facet j.
   for (std::uint32_t i = 0; i < 4; ++i) {
     const auto j = signs.obtuse_corner(i);
     if (!j || signs.angle(*j, i) != Sign::kNegative) continue;
     const auto [k, l] = other_two(i, *j);
-    flow.way = VertexFlow::Way::kAcrossFacet;
-    flow.facet = facet_name(diagram.delaunay().vertices(cell)[k], diagram.delaunay().vertices(cell)[l]);
-    return flow;
+    const auto& v = diagram.delaunay().vertices(cell);
+    return {.way = VertexFlow::Way::kAcrossFacet, .facet = facet_name(v[k], v[l])};
   }
   throw std::logic_error("a Voronoi vertex without a driver");
 }
@@ -93,25 +84,19 @@ VertexFlow lone_vertex_flow(const VoronoiDiagram& diagram, CellIndex cell) {
 
 VertexSources vertex_sources(const VoronoiDiagram& diagram, CellIndex cluster) {
   FLOWCERT_REQUIRES(diagram.dimension() == 3);
-  struct Side {
-    FacetName facet;
-    Sign angle;  // at each edge, the lesser of its two comes first
-  };
   const Boundary boundary = boundary_of(diagram, cluster);
   VertexSources sources;
-  std::vector<Side> sides;
+  std::vector<PolygonSide> sides;
   for (const PolygonRef polygon : boundary.polygons) {
-    for (const PolygonSide& side : diagram.sides(polygon)) {
-      sides.push_back({{side.v0, side.v1}, side.angle});
-    }
+    for (const PolygonSide& side : diagram.sides(polygon)) sides.push_back(side);
     const bool is_positive = std::ranges::find(boundary.negative, polygon) == boundary.negative.end() &&
                              std::ranges::find(boundary.zero, polygon) == boundary.zero.end();
     if (is_positive && diagram.driver(polygon).shape != Sign::kNegative) sources.polygons.push_back(polygon);
   }
-  const auto key = [](const Side& side) { return std::tuple(side.facet.v0, side.facet.v1, side.angle); };
-  std::sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) { return key(a) < key(b); });
+  // At each edge, the lesser of its two angles comes first.
+  std::ranges::sort(sides, {}, [](const PolygonSide& side) { return std::pair(side.facet(), side.angle); });
   for (std::size_t k = 0; k + 1 < sides.size(); k += 2) {
-    if (sides[k].angle == Sign::kPositive) sources.edges.push_back(sides[k].facet);
+    if (sides[k].angle == Sign::kPositive) sources.edges.push_back(sides[k].facet());
   }
   return sources;
 }
@@ -131,22 +116,16 @@ VertexFlow vertex_flow(const VoronoiDiagram& diagram, CellIndex cluster) {
   FLOWCERT_REQUIRES(diagram.dimension() == 3);
   if (diagram.complex().is_alone(cluster)) return lone_vertex_flow(diagram, cluster);
   const Boundary boundary = boundary_of(diagram, cluster);
-  VertexFlow flow;
   if (boundary.negative.empty()) {
     // It lies in its polytope: inside, or in one polygon, or in the edge that two share.
     const std::size_t zeros = boundary.zero.size();
-    flow.index = {static_cast<std::uint8_t>(zeros == 0 ? 3 : zeros == 1 ? 2 : 1), 3};
-    return flow;
+    return {.index = {static_cast<std::uint8_t>(zeros == 0 ? 3 : zeros == 1 ? 2 : 1), 3}};
   }
   for (const PolygonRef polygon : boundary.negative) {
     if (diagram.driver(polygon).shape == Sign::kNegative) continue;
-    flow.way = VertexFlow::Way::kAlongEdge;
-    flow.edge = polygon;
-    return flow;
+    return {.way = VertexFlow::Way::kAlongEdge, .edge = polygon};
   }
-  flow.way = VertexFlow::Way::kAcrossFacet;
-  flow.facet = doubly_obtuse_edge(diagram, boundary);
-  return flow;
+  return {.way = VertexFlow::Way::kAcrossFacet, .facet = doubly_obtuse_edge(diagram, boundary)};
 }
 
 // ---- Into a facet ----
@@ -154,7 +133,7 @@ VertexFlow vertex_flow(const VoronoiDiagram& diagram, CellIndex cluster) {
 namespace {
 
 // The angle of a piece; positive if the piece lies at infinity.
-Sign angle_of(const VoronoiDiagram& diagram, FacetName facet, const RingPiece& piece, FilterTally& tally) {
+Sign angle_of(const VoronoiDiagram& diagram, FacetName facet, const RingPiece& piece) {
   if (!piece.is_finite()) return Sign::kPositive;
   // A polygon of one facet has the angle among its cell's signs.
   if (const VoronoiComplex* complex = diagram.spatial(); complex != nullptr) {
@@ -164,16 +143,17 @@ Sign angle_of(const VoronoiDiagram& diagram, FacetName facet, const RingPiece& p
       return complex->signs(polygon.cell).angle(polygon.index, apex);
     }
   }
-  return exact_sign(Angle{diagram.point(facet.v0), diagram.point(piece.apex), diagram.point(facet.v1)}, tally);
+  FilterTally unused;
+  return exact_sign(Angle{diagram.point(facet.v0), diagram.point(piece.apex), diagram.point(facet.v1)}, unused);
 }
 
 }  // namespace
 
-ObtuseChain obtuse_chain(const VoronoiDiagram& diagram, FacetName facet, const FacetRing& ring, FilterTally& tally) {
+ObtuseChain obtuse_chain(const VoronoiDiagram& diagram, const FacetRing& ring) {
   const std::size_t n = ring.pieces.size();
   ObtuseChain chain;
   if (n == 0) return chain;
-  const auto angle = [&](std::size_t k) { return angle_of(diagram, facet, ring.pieces[k], tally); };
+  const auto angle = [&](std::size_t k) { return angle_of(diagram, ring.facet, ring.pieces[k]); };
   const Sign first = angle(0);
   Sign before = n == 1 ? first : angle(n - 1);
   for (std::size_t k = 0; k < n; ++k) {

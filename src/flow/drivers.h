@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "flow/layer.h"
-#include "flowcert/filter_tally.h"
 #include "flowcert/stationary_index.h"
 #include "voronoi/voronoi_faces.h"
 
@@ -28,7 +27,7 @@ struct Driver {
 struct VertexFlow {
   enum class Way : std::uint8_t { kStays, kAlongEdge, kAcrossFacet };
   Way way = Way::kStays;
-  StationaryIndex index;        // kStays
+  StationaryIndex index{};      // kStays
   PolygonRef edge{kNoCell, 0};  // kAlongEdge: driven by its centre
   FacetName facet{0, 0};        // kAcrossFacet: driven by its midpoint
 };
@@ -66,7 +65,6 @@ struct ObtuseChain {
 };
 
 // O(n) for n pieces.
-[[nodiscard]] ObtuseChain obtuse_chain(const VoronoiDiagram& diagram, FacetName facet, const FacetRing& ring,
-                                       FilterTally& tally);
+[[nodiscard]] ObtuseChain obtuse_chain(const VoronoiDiagram& diagram, const FacetRing& ring);
 
 }  // namespace flowcert::flow

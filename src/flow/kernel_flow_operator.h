@@ -100,17 +100,15 @@ class KernelFlowOperator final : public FlowOperator {
     return cluster == kNoCell ? Location{} : Location{Place::at_vertex(cluster), kNoPoint};
   }
 
-  bool has_one_back(FacetName facet, CellIndex hint) override {
-    return chain_of(facet, faces_.ring(facet, hint)).count <= 1;
-  }
+  bool has_one_back(FacetName facet, CellIndex hint) override { return chain_of(faces_.ring(facet, hint)).count <= 1; }
 
   // In the ring's order, the inner vertices of the near side lie first counterclockwise of the ray from the midpoint
   // to the front, then clockwise of it.
   BackwardStep step_back(const Location& front, FacetName facet, CellIndex hint) override {
     const FacetRing ring = faces_.ring(facet, hint);
-    const ObtuseChain chain = chain_of(facet, ring);
+    const ObtuseChain chain = chain_of(ring);
     const std::size_t n = ring.size();
-    if (chain.count == 0) return midpoint_step(facet, ring, chain);
+    if (chain.count == 0) return midpoint_step(ring, chain);
     if (chain.count == 1) return edge_step(ring.pieces[chain.first]);
     std::size_t low = 0, high = chain.count - 1;
     MovingPoint x = moving_point(number_of(front), ring);
@@ -204,19 +202,19 @@ class KernelFlowOperator final : public FlowOperator {
     return at.place.kind == Place::Kind::kVertex ? center(at.place.vertex) : at.point;
   }
 
-  ObtuseChain chain_of(FacetName facet, const FacetRing& ring) {
+  ObtuseChain chain_of(const FacetRing& ring) {
     std::uint32_t& number = faces_.note(ring.id);
     if (number == VoronoiFaces::kNoNote) {
       number = static_cast<std::uint32_t>(chains_.size());
-      chains_.push_back(obtuse_chain(diagram_, facet, ring, angle_tally_));
+      chains_.push_back(obtuse_chain(diagram_, ring));
     }
     FLOWCERT_REQUIRES(number < chains_.size());
     return chains_[number];
   }
 
   static BackwardStep edge_step(const RingPiece& piece) { return {Place::on_edge(piece.polygon()), false, piece.apex}; }
-  static BackwardStep midpoint_step(FacetName facet, const FacetRing& ring, const ObtuseChain& chain) {
-    Place back = Place::on_facet(facet);
+  static BackwardStep midpoint_step(const FacetRing& ring, const ObtuseChain& chain) {
+    Place back = Place::on_facet(ring.facet);
     if (chain.right_count == 1) back = Place::on_edge(ring.pieces[chain.right].polygon());
     if (chain.right_count == 2) back = Place::at_vertex(ring.pieces[chain.right].vertex);
     return {back, true, kInfiniteVertex};
@@ -229,26 +227,14 @@ class KernelFlowOperator final : public FlowOperator {
   FlowStep step_from_vertex(const Location& from) {
     const CellIndex cluster = from.place.vertex;
     const VertexFlow flow = vertex_flow(diagram_, cluster);
-    FlowStep step;
-    switch (flow.way) {
-      case VertexFlow::Way::kStays:
-        step.crossed = from.place;
-        step.end = from;
-        step.stationary = flow.index;
-        break;
-      case VertexFlow::Way::kAlongEdge:
-        step.crossed = Place::on_edge(flow.edge);
-        step.driver = center_of(flow.edge);
-        step.end = end_of_edge(flow.edge, diagram_.end(flow.edge, 0) == cluster ? 1 : 0);
-        break;
-      case VertexFlow::Way::kAcrossFacet: {
-        const FacetRing ring = faces_.ring(flow.facet, cluster);
-        MovingPoint x = moving_point(center(cluster), ring);
-        step = across(ring, exit_from_vertex(ring, cluster, x), x);
-        break;
-      }
+    if (flow.way == VertexFlow::Way::kStays) return stays(from, flow.index, {});
+    if (flow.way == VertexFlow::Way::kAlongEdge) {
+      const std::size_t side = diagram_.end(flow.edge, 0) == cluster ? 1 : 0;
+      return {Place::on_edge(flow.edge), center_of(flow.edge), end_of_edge(flow.edge, side), std::nullopt};
     }
-    return step;
+    const FacetRing ring = faces_.ring(flow.facet, cluster);
+    MovingPoint x = moving_point(center(cluster), ring);
+    return across(ring, exit_from_vertex(ring, cluster, x), x);
   }
 
   // E-E-{V, infinity}, E-F-{V, E, infinity}.
@@ -268,16 +254,10 @@ class KernelFlowOperator final : public FlowOperator {
   // E-E-{V, infinity}. The polygon contains its centre, and `side` is that of its plane on which the start lies.
   FlowStep step_along_edge(const Location& from, Sign shape, Sign side) {
     const PolygonRef polygon = from.place.edge;
-    FlowStep step;
-    step.crossed = from.place;
-    step.driver = center_of(polygon);
     if (side == Sign::kZero) {
-      step.end = from;
-      step.stationary = StationaryIndex{static_cast<std::uint8_t>(shape == Sign::kZero ? 1 : 2), 2};
-    } else {
-      step.end = end_of_edge(polygon, side == Sign::kPositive ? 1 : 0);
+      return stays(from, {static_cast<std::uint8_t>(shape == Sign::kZero ? 1 : 2), 2}, center_of(polygon));
     }
-    return step;
+    return {from.place, center_of(polygon), end_of_edge(polygon, side == Sign::kPositive ? 1 : 0), std::nullopt};
   }
 
   // F-F-{V, E, infinity}.
@@ -309,9 +289,7 @@ class KernelFlowOperator final : public FlowOperator {
       if (order == Sign::kNegative) first.clear();
       if (order != Sign::kPositive) first.push_back(q);
     }
-    FlowStep step;
-    step.crossed = from.place;
-    step.driver = driver;
+    FlowStep step{from.place, driver, {}, std::nullopt};
     if (first.empty()) return step;
     step.end.place = faces_.place_of(sample, first);
     if (step.end.place.kind != Place::Kind::kVertex) {
@@ -329,12 +307,7 @@ class KernelFlowOperator final : public FlowOperator {
   }
 
   static FlowStep stays(const Location& at, StationaryIndex index, Driver driver) {
-    FlowStep step;
-    step.crossed = at.place;
-    step.driver = driver;
-    step.end = at;
-    step.stationary = index;
-    return step;
+    return {at.place, driver, at, index};
   }
 
   Query query_of(const FacetRing& ring, MovingPoint& x) { return Query(kernel_, centers_, ring, x); }
@@ -347,9 +320,7 @@ class KernelFlowOperator final : public FlowOperator {
 
   FlowStep across(const FacetRing& ring, Exit exit, MovingPoint& x) {
     const FacetName facet = ring.facet;
-    FlowStep step;
-    step.crossed = Place::on_facet(facet);
-    step.driver = midpoint_of(facet);
+    FlowStep step{Place::on_facet(facet), midpoint_of(facet), {}, std::nullopt};
     switch (exit.kind) {
       case Exit::Kind::kInfinity:
         break;
@@ -377,7 +348,6 @@ class KernelFlowOperator final : public FlowOperator {
   std::vector<CellIndex> constructed_;  // clusters whose centers the kernel keeps
   std::vector<PointNumber> center_of_;  // by CellIndex
   std::vector<ObtuseChain> chains_;     // the notes of rings are their numbers
-  FilterTally angle_tally_;
 };
 
 }  // namespace flowcert::flow

@@ -11,18 +11,11 @@ FrontNumber BackwardWalk::add(const Front& front) {
   return static_cast<FrontNumber>(fronts_.size() - 1);
 }
 
-FrontNumber BackwardWalk::at_vertex(CellIndex cluster) {
-  Front front;
-  front.place = Place::at_vertex(cluster);
-  return add(front);
-}
+FrontNumber BackwardWalk::at_vertex(CellIndex cluster) { return add({.place = Place::at_vertex(cluster)}); }
 
 FrontNumber BackwardWalk::at_infinity(const RationalPoint& direction, CellIndex hint) {
-  Front front;
-  front.place.edge.cell = hint;
-  front.direction = directions_.size();
   directions_.push_back(direction);
-  return add(front);
+  return add({.place = {.edge = {hint, 0}}, .direction = directions_.size() - 1});
 }
 
 FrontNumber BackwardWalk::on_ray(FrontNumber front, FacetName facet) {
@@ -33,10 +26,7 @@ FrontNumber BackwardWalk::on_ray(FrontNumber front, FacetName facet) {
 }
 
 FrontNumber BackwardWalk::at_center(const std::array<VertexIndex, 3>& samples, PolygonRef edge) {
-  Front front;
-  front.place = Place::on_edge(edge);
-  front.samples = samples;
-  return add(front);
+  return add({.place = Place::on_edge(edge), .samples = samples});
 }
 
 void BackwardWalk::clear() {
@@ -72,10 +62,8 @@ BackwardWalk::Back BackwardWalk::step(FrontNumber front, FacetName facet) {
   const bool needs_point = !flow_.has_one_back(facet, hint);
   const Location at = needs_point ? location(front) : Location{from, kNoPoint};
   const BackwardStep step = flow_.step_back(at, facet, hint);
-  Front back;
-  back.place = step.back;
+  Front back{.place = step.back, .facet = facet};
   back.depth = fronts_[front].depth + 1;
-  back.facet = facet;
   if (step.is_midpoint) {
     if (step.back.kind == Place::Kind::kFacet) throw std::logic_error("a Gabriel edge that is not listed");
     if (step.back.kind == Place::Kind::kEdge) back.samples = faces_.diagram().corners(step.back.edge);

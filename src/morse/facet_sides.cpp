@@ -6,17 +6,8 @@
 
 namespace flowcert::morse {
 
-namespace {
-
-ObtuseChain chain_of(const VoronoiDiagram& diagram, const FacetRing& ring) {
-  FilterTally ignored;
-  return obtuse_chain(diagram, ring.facet, ring, ignored);
-}
-
-}  // namespace
-
 FacetSides::FacetSides(const VoronoiDiagram& diagram, const FacetRing& ring)
-    : diagram_(&diagram), ring_(ring), chain_(chain_of(diagram, ring)) {}
+    : diagram_(&diagram), ring_(ring), chain_(obtuse_chain(diagram, ring)) {}
 
 // A Voronoi edge before the element goes there, and one behind it comes from there.
 EdgeEnd FacetSides::end_at_infinity(std::size_t k) const {

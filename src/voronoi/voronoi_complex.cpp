@@ -163,7 +163,10 @@ void VoronoiComplex::compute_signs(FilterTally& tally, unsigned threads, const P
   }
   if (cospherical.empty()) return;
   gather_clusters(cospherical);
-  gather_polygons(tally);
+  // Two facets of one polygon lie in one plane, so their cells differ on both sides. So only facets of large clusters
+  // can be pieces: facets between two of these, or on the hull.
+  gather_inner_polygons();
+  gather_hull_polygons(tally);
 }
 
 void VoronoiComplex::gather_clusters(std::span<const FacetRef> cospherical) {
@@ -218,22 +221,9 @@ std::span<const CellIndex> VoronoiComplex::large_cluster_of(CellIndex cell) cons
   return large_cluster(low);
 }
 
-// Two facets of one polygon lie in one plane, so their cells differ on both sides. So only facets of large clusters
-// can be pieces: facets between two of these, or on the hull.
-void VoronoiComplex::gather_polygons(FilterTally& tally) {
-  gather_inner_polygons();
-  gather_hull_polygons(tally);
-}
-
 // The facets of a cluster that lead to one later cluster are a polygon.
 void VoronoiComplex::gather_inner_polygons() {
-  struct Piece {
-    CellIndex other;
-    FacetRef facet;
-    auto operator<=>(const Piece&) const = default;
-  };
-  std::vector<Piece> pieces;
-  std::vector<FacetRef> run;
+  std::vector<std::pair<std::uint32_t, FacetRef>> pieces;  // by the other cluster
   for (std::size_t cluster = 0; cluster < large_cluster_count(); ++cluster) {
     pieces.clear();
     for (const CellIndex cell : large_cluster(cluster)) {
@@ -243,13 +233,7 @@ void VoronoiComplex::gather_inner_polygons() {
         if (cluster_[cell] < cluster_[neighbor]) pieces.push_back({cluster_[neighbor], {cell, i}});
       }
     }
-    std::sort(pieces.begin(), pieces.end());
-    for (std::size_t k = 0; k < pieces.size(); ++k) {
-      run.push_back(pieces[k].facet);
-      if (k + 1 < pieces.size() && pieces[k + 1].other == pieces[k].other) continue;
-      if (run.size() > 1) add_polygon(run);
-      run.clear();
-    }
+    add_polygons(pieces);
   }
 }
 
@@ -284,14 +268,18 @@ void VoronoiComplex::gather_hull_polygons(FilterTally& tally) {
       if (exact_sign(plane, tally) == Sign::kZero) partition.unite(k, next->second);
     }
   }
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> members;
-  members.reserve(hull.size());
-  for (std::uint32_t k = 0; k < hull.size(); ++k) members.emplace_back(partition.find(k), k);
-  std::sort(members.begin(), members.end());
+  std::vector<std::pair<std::uint32_t, FacetRef>> pieces;
+  for (std::uint32_t k = 0; k < hull.size(); ++k) pieces.emplace_back(partition.find(k), hull[k]);
+  add_polygons(pieces);
+}
+
+// Several facets of one number are a polygon.
+void VoronoiComplex::add_polygons(std::span<std::pair<std::uint32_t, FacetRef>> pieces) {
+  std::ranges::sort(pieces);
   std::vector<FacetRef> run;
-  for (std::size_t k = 0; k < members.size(); ++k) {
-    run.push_back(hull[members[k].second]);
-    if (k + 1 < members.size() && members[k + 1].first == members[k].first) continue;
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    run.push_back(pieces[k].second);
+    if (k + 1 < pieces.size() && pieces[k + 1].first == pieces[k].first) continue;
     if (run.size() > 1) add_polygon(run);
     run.clear();
   }
@@ -344,12 +332,11 @@ PolygonSides sides_of(const VoronoiComplex& complex, std::span<const FacetRef> p
     }
   }
   // A diagonal is an edge of two facets.
-  std::sort(edges.begin(), edges.end(),
-            [](const PolygonSide& a, const PolygonSide& b) { return std::pair(a.v0, a.v1) < std::pair(b.v0, b.v1); });
+  std::ranges::sort(edges, {}, &PolygonSide::facet);
   PolygonSides sides;
   for (std::size_t k = 0; k < edges.size(); ++k) {
-    const bool twin_before = k > 0 && edges[k].v0 == edges[k - 1].v0 && edges[k].v1 == edges[k - 1].v1;
-    const bool twin_after = k + 1 < edges.size() && edges[k].v0 == edges[k + 1].v0 && edges[k].v1 == edges[k + 1].v1;
+    const bool twin_before = k > 0 && edges[k].facet() == edges[k - 1].facet();
+    const bool twin_after = k + 1 < edges.size() && edges[k].facet() == edges[k + 1].facet();
     if (!twin_before && !twin_after) sides.push_back(edges[k]);
   }
   return sides;

@@ -8,6 +8,7 @@
 #include <boost/container/small_vector.hpp>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "flowcert/filter_tally.h"
@@ -113,9 +114,9 @@ class VoronoiComplex {
   Beyond look_across(CellIndex cell);
   void prefetch_neighbors(CellIndex cell) const;
   void gather_clusters(std::span<const FacetRef> cospherical);
-  void gather_polygons(FilterTally& tally);
   void gather_inner_polygons();
   void gather_hull_polygons(FilterTally& tally);
+  void add_polygons(std::span<std::pair<std::uint32_t, FacetRef>> pieces);
   void add_polygon(std::span<const FacetRef> facets);
   [[nodiscard]] TetrahedronPoints points_of(CellIndex cell) const;
 
@@ -135,7 +136,7 @@ class VoronoiComplex {
 struct FacetName {
   VertexIndex v0, v1;  // v0 < v1
 
-  friend bool operator==(const FacetName&, const FacetName&) = default;
+  friend auto operator<=>(const FacetName&, const FacetName&) = default;
 };
 
 [[nodiscard]] inline FacetName facet_name(VertexIndex v, VertexIndex w) {

@@ -31,26 +31,10 @@ struct Place {
   FacetName facet{0, 0};                 // kFacet
   VertexIndex sample = kInfiniteVertex;  // kCell
 
-  [[nodiscard]] static Place at_vertex(CellIndex cluster) {
-    Place place;
-    place.kind = Kind::kVertex, place.vertex = cluster;
-    return place;
-  }
-  [[nodiscard]] static Place on_edge(PolygonRef polygon) {
-    Place place;
-    place.kind = Kind::kEdge, place.edge = polygon;
-    return place;
-  }
-  [[nodiscard]] static Place on_facet(FacetName facet) {
-    Place place;
-    place.kind = Kind::kFacet, place.facet = facet;
-    return place;
-  }
-  [[nodiscard]] static Place in_cell(VertexIndex sample) {
-    Place place;
-    place.kind = Kind::kCell, place.sample = sample;
-    return place;
-  }
+  [[nodiscard]] static Place at_vertex(CellIndex cluster) { return {.kind = Kind::kVertex, .vertex = cluster}; }
+  [[nodiscard]] static Place on_edge(PolygonRef polygon) { return {.kind = Kind::kEdge, .edge = polygon}; }
+  [[nodiscard]] static Place on_facet(FacetName facet) { return {.kind = Kind::kFacet, .facet = facet}; }
+  [[nodiscard]] static Place in_cell(VertexIndex sample) { return {.kind = Kind::kCell, .sample = sample}; }
   friend bool operator==(const Place&, const Place&) = default;
 };
 

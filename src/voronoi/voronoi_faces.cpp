@@ -131,32 +131,25 @@ void VoronoiFaces::sort_large_ring(const FacetRing& ring) {
             [&ring](std::uint32_t a, std::uint32_t b) { return ring.pieces[a].vertex < ring.pieces[b].vertex; });
 }
 
+// Of a large ring, places sorted by polygon come before those sorted by cluster.
+template <std::uint32_t RingPiece::* member>
+std::size_t VoronoiFaces::place_with(const FacetRing& ring, std::uint32_t value) const {
+  FLOWCERT_REQUIRES(std::ranges::count(ring.pieces, value, member) == 1);
+  if (ring.size() <= kSmallRing) {
+    std::size_t k = 0;
+    while (ring.pieces[k].*member != value) ++k;
+    return k;
+  }
+  const std::size_t first = member == &RingPiece::packed ? 0 : ring.size();
+  const auto places = std::span(sorted_.at(ring.id)).subspan(first, ring.size());
+  return *std::ranges::lower_bound(places, value, {}, [&ring](std::uint32_t k) { return ring.pieces[k].*member; });
+}
+
 std::size_t VoronoiFaces::piece_of(const FacetRing& ring, PolygonRef polygon) const {
-  return place_of(ring, polygon.packed());
+  return place_with<&RingPiece::packed>(ring, polygon.packed());
 }
-
-std::size_t VoronoiFaces::place_of(const FacetRing& ring, std::uint32_t packed_polygon) const {
-  FLOWCERT_REQUIRES(std::ranges::count(ring.pieces, packed_polygon, &RingPiece::packed) == 1);
-  if (ring.size() <= kSmallRing) {
-    std::size_t k = 0;
-    while (ring.pieces[k].packed != packed_polygon) ++k;
-    return k;
-  }
-  const auto& places = sorted_.at(ring.id);
-  return *std::lower_bound(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(ring.size()), packed_polygon,
-                           [&ring](std::uint32_t k, std::uint32_t value) { return ring.pieces[k].packed < value; });
-}
-
 std::size_t VoronoiFaces::element_of(const FacetRing& ring, CellIndex cluster) const {
-  FLOWCERT_REQUIRES(std::ranges::count(ring.pieces, cluster, &RingPiece::vertex) == 1);
-  if (ring.size() <= kSmallRing) {
-    std::size_t k = 0;
-    while (ring.pieces[k].vertex != cluster) ++k;
-    return k;
-  }
-  const auto& places = sorted_.at(ring.id);
-  return *std::lower_bound(places.begin() + static_cast<std::ptrdiff_t>(ring.size()), places.end(), cluster,
-                           [&ring](std::uint32_t k, CellIndex value) { return ring.pieces[k].vertex < value; });
+  return place_with<&RingPiece::vertex>(ring, cluster);
 }
 
 // It may lay out another ring.
@@ -184,8 +177,7 @@ RingLink VoronoiFaces::link_to_far(RingNumber id, std::size_t k) {
 
 // All cells that have p, the infinite ones too; valid until the next star. A cell that was seen bears the number of
 // its star, because looking cells up in a set took most of the time.
-template <class IsWanted>
-std::span<const CellIndex> VoronoiFaces::star_until(VertexIndex p, const IsWanted& is_wanted) {
+std::span<const CellIndex> VoronoiFaces::star_until(VertexIndex p, const auto& is_wanted) {
   const CompactDelaunay& cells = diagram_.delaunay();
   const auto corners = static_cast<unsigned>(diagram_.dimension()) + 1;
   if (seen_in_star_.empty()) {

@@ -145,15 +145,16 @@ class VoronoiFaces {
   void add_spatial_pieces(FacetName facet, CellIndex start, RingNumber id);
   void add_planar_pieces(FacetName facet, CellIndex cell, RingNumber id);
   void add_piece(CellIndex vertex_before, PolygonRef polygon, VertexIndex apex);
-  [[nodiscard]] std::size_t place_of(const FacetRing& ring, std::uint32_t packed_polygon) const;
+  // The place of the one piece whose member has this value.
+  template <std::uint32_t RingPiece::* member>
+  [[nodiscard]] std::size_t place_with(const FacetRing& ring, std::uint32_t value) const;
   [[nodiscard]] RingNumber find_next(RingNumber id, std::size_t k);
   [[nodiscard]] RingLink link_to_far(RingNumber id, std::size_t k);
   void sort_large_ring(const FacetRing& ring);
   // The number of the ring of a facet of which a finite cell has the Delaunay edge. Dimension 2 and 3.
   [[nodiscard]] RingNumber number_of(FacetName facet, CellIndex cell);
   // All cells around a vertex, infinite ones too. If one of them is wanted, it is that one alone.
-  template <class IsWanted>
-  [[nodiscard]] std::span<const CellIndex> star_until(VertexIndex p, const IsWanted& is_wanted);
+  [[nodiscard]] std::span<const CellIndex> star_until(VertexIndex p, const auto& is_wanted);
   [[nodiscard]] std::span<const CellIndex> star(VertexIndex p);
   [[nodiscard]] CellIndex cell_with(FacetName facet, CellIndex hint);
 
