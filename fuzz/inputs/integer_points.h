@@ -35,7 +35,8 @@ Integer nearest_integer(Integer numerator, Integer denominator);
 rc::Gen<Integer> whole(Integer low, Integer high);
 rc::Gen<IntegerPoint> integer_point(Integer low, Integer high);
 
-// One of the list's elements; shrinks towards the first. The list is copied once, since the generators are copied often.
+// One of the list's elements; shrinks towards the first. The list is copied once, since the generators are copied
+// often.
 template <typename List>
 rc::Gen<typename List::value_type> one_of(const List& list) {
   return rc::gen::map(

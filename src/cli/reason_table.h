@@ -1,5 +1,5 @@
-// The tables of reports of many cases. One says why something is wrong, counted: for each reason how often it comes, and
-// the smallest example of it. The other says how many cases have which outcome.
+// The tables of reports of many cases. One says why something is wrong, counted: for each reason how often it comes,
+// and the smallest example of it. The other says how many cases have which outcome.
 //
 // Guarantees: the order in which examples are added decides only between examples of one size; the first is kept.
 #pragma once

@@ -56,8 +56,8 @@ class CornerNumbers {
   std::map<Coordinates, std::int64_t> cuts_;
 };
 
-// A pyramid over a quadrangle is one cell. Over any other polygon it is cut into tetrahedra, from the first corner. Cells
-// have VTK's orientation if the corners are given as they are asked for.
+// A pyramid over a quadrangle is one cell. Over any other polygon it is cut into tetrahedra, from the first corner.
+// Cells have VTK's orientation if the corners are given as they are asked for.
 class PyramidSet {
  public:
   // Numbers of points. The corners are counterclockwise, seen from the apex. Returns how many cells that made.

@@ -22,8 +22,8 @@ namespace flowcert::io {
 // that its inode may have a new file. Any thread may call this.
 [[nodiscard]] bool is_input(const struct stat& status);
 
-// What compressed data may grow to, in bytes: a hundred times what they are, and a megabyte where they are short, but no
-// more than 4 GB. Points and claims take a tenth of their size at the least; what takes a hundredth was made to fill
+// What compressed data may grow to, in bytes: a hundred times what they are, and a megabyte where they are short, but
+// no more than 4 GB. Points and claims take a tenth of their size at the least; what takes a hundredth was made to fill
 // memory. --unlimited lifts it.
 [[nodiscard]] std::uint64_t most_content(std::size_t compressed, bool is_unlimited);
 // What is said of data that grow beyond it. what: "gzip data".

@@ -62,8 +62,8 @@ void add_counts(Json& object, const PointSet& points, const StationaryPoints& st
 [[nodiscard]] Rational required_rational(const Json& value, const char* what);
 
 // ---- JSON from somebody else ----
-// How deep it may nest, and how many keys an object may have: readers recurse, and look keys up one by one. Both are far
-// beyond what any of our formats needs.
+// How deep it may nest, and how many keys an object may have: readers recurse, and look keys up one by one. Both are
+// far beyond what any of our formats needs.
 
 // Our own records nest at most eight deep: object, u1, sheets, sheet, corners, corner, vector, position.
 inline constexpr std::size_t kDeepestJson = 16;
@@ -80,8 +80,8 @@ class JsonLimits {
   std::vector<std::size_t> keys_;  // of each array or object that is open
 };
 
-// The place of a byte that no JSON has (FC-FILE-47), though nlohmann's parser passes over it: a byte order mark in front,
-// or NUL, which it takes for the end. npos if there is none.
+// The place of a byte that no JSON has (FC-FILE-47), though nlohmann's parser passes over it: a byte order mark in
+// front, or NUL, which it takes for the end. npos if there is none.
 [[nodiscard]] std::size_t place_of_no_json(std::string_view text);
 
 // The text as JSON. Throws InvalidInput, "NAME: reason", where it is not JSON or beyond the limits. O(n).

@@ -1,5 +1,5 @@
-// A function for each shape, and for each piece with more keys than its shape. Limits are named by their contact sets, as
-// everywhere.
+// A function for each shape, and for each piece with more keys than its shape. Limits are named by their contact sets,
+// as everywhere.
 #include "io/manifold_fields.h"
 
 #include "flowcert/sphere.h"

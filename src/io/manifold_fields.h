@@ -1,5 +1,5 @@
-// What records say of where the flow goes to and comes from (spec/formats/stationary_points.md): the pieces of stable and
-// unstable sets, the object `lambda` and the array `connections`.
+// What records say of where the flow goes to and comes from (spec/formats/stationary_points.md): the pieces of stable
+// and unstable sets, the object `lambda` and the array `connections`.
 //
 // Guarantees: rationals are exact, and doubles are the nearest ones.
 #pragma once

@@ -1,7 +1,7 @@
 // Records in the order in which their Voronoi faces lie in space: neighbours share what is in the cache.
 //
-// Apart from record_finder.h, which the file of the R-tree reads: in Boost 1.92 the headers for sorting and for that tree
-// exclude each other.
+// Apart from record_finder.h, which the file of the R-tree reads: in Boost 1.92 the headers for sorting and for that
+// tree exclude each other.
 #pragma once
 
 #include <boost/sort/spreadsort/integer_sort.hpp>

@@ -1,5 +1,6 @@
-// Maxima are merged into pockets from the greatest value of an index-2 point down (FC-POCK-02). Which pockets are above a
-// stationary point is read from the leaves above it, and the widest paths from the merge tree, from its last node down.
+// Maxima are merged into pockets from the greatest value of an index-2 point down (FC-POCK-02). Which pockets are above
+// a stationary point is read from the leaves above it, and the widest paths from the merge tree, from its last node
+// down.
 #include "flowcert/pockets.h"
 
 #include <algorithm>

@@ -59,8 +59,8 @@ class GabrielEdges {
 // ---- Faces ----
 
 // The Voronoi face in which a stationary point lies, as one number: its place in the triangulation. That of a Voronoi
-// edge is its packed PolygonRef, and that of a Voronoi vertex its packed cluster. The number of an index-1 point is that
-// of a finite cell with its Delaunay edge. Index 0 has none.
+// edge is its packed PolygonRef, and that of a Voronoi vertex its packed cluster. The number of an index-1 point is
+// that of a finite cell with its Delaunay edge. Index 0 has none.
 [[nodiscard]] inline std::uint32_t face_number(FacetRef facet) { return facet.packed(); }
 [[nodiscard]] inline std::uint32_t face_number(CellIndex cell) { return FacetRef{cell, 0}.packed(); }
 

@@ -1,5 +1,5 @@
-// The pieces of the fast implementation's stable and unstable sets in the oracle's form, so that the oracle can be asked
-// about them.
+// The pieces of the fast implementation's stable and unstable sets in the oracle's form, so that the oracle can be
+// asked about them.
 //
 // Guarantees: exact. Lists keep their order.
 #pragma once
