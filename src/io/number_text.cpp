@@ -176,7 +176,7 @@ NumberText parse_number(std::string_view text) {
 std::string in_quotes(std::string_view text) {
   const std::string shown = on_one_line(front_of(text, kLongestQuote));
   const std::string_view front = front_of(shown, kLongestQuote);
-  return "'" + std::string(front) + (text.size() > kLongestQuote || front.size() < shown.size() ? "...'" : "'");
+  return fmt::format("'{}{}", front, text.size() > kLongestQuote || front.size() < shown.size() ? "...'" : "'");
 }
 
 // ---- Rationals ----
