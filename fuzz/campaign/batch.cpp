@@ -1,7 +1,6 @@
 #include "fuzz/campaign/batch.h"
 
 #include <algorithm>
-#include <chrono>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -25,10 +24,6 @@ constexpr std::uint64_t kMostMoves = 3;
 constexpr const char* kMutant = "mutant";
 // A case mixes its seed with each of these, to get its numbers for different purposes.
 enum Salt : std::uint64_t { kSourceSalt = 1, kParentSalt, kMovesSalt, kStartSalt, kShareSalt = 100 };
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 class Batch {
  public:

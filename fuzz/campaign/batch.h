@@ -8,6 +8,7 @@
 // What is not small when the batch is stopped is reported as small as it is by then.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
@@ -21,6 +22,10 @@
 #include "fuzz/campaign/degeneracy_signature.h"
 
 namespace flowcert::fuzz {
+
+[[nodiscard]] inline double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
 
 struct RowsTally {
   std::size_t cases = 0;

@@ -22,7 +22,6 @@ using nlohmann::json;
 
 namespace {
 
-constexpr const char* kPlanName = "plan.json";
 constexpr const char* kBatchesName = "batches.jsonl";
 constexpr const char* kFindingsName = "findings.jsonl";
 constexpr const char* kSignaturesName = "signatures.jsonl";
@@ -98,8 +97,6 @@ auto unless_unreadable(const fs::path& folder, const Open& open) {
   }
 }
 
-json total_json(const std::optional<std::size_t>& total) { return total ? json(*total) : json(nullptr); }
-
 }  // namespace
 
 struct Campaign::Files {
@@ -144,7 +141,8 @@ Campaign Campaign::begun(CampaignPlan plan, std::optional<std::size_t> total_cas
 }
 
 void Campaign::write_plan() {
-  const json object = {{"plan", to_text(plan_)}, {"cases", total_json(total_cases_)}, {"made_by", made_by_}};
+  const json cases = total_cases_ ? json(*total_cases_) : json(nullptr);
+  const json object = {{"plan", to_text(plan_)}, {"cases", cases}, {"made_by", made_by_}};
   write_file(files_->folder / kPlanName, object.dump() + '\n');
 }
 

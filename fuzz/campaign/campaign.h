@@ -26,6 +26,9 @@
 
 namespace flowcert::fuzz {
 
+// A folder is a campaign's iff it has this file.
+inline constexpr const char* kPlanName = "plan.json";
+
 // So many counterexamples of each property and kind have a point file: those with the least numbers. findings.jsonl
 // has all. A case that was asked for by its number has a point file as well.
 inline constexpr std::size_t kMostCounterexamplesOfKind = 10;

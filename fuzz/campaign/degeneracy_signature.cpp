@@ -22,39 +22,6 @@ std::vector<std::string> texts_of(const std::array<const char*, kCount>& names) 
   return {names.begin(), names.end()};
 }
 
-std::vector<SignatureComponent> table() {
-  const std::vector<std::string> yes_or_no{"0", "1+"};
-  const std::vector<std::string> few{"0", "1", "2+"};
-  const std::vector<std::string> lengths{"0", "1", "2", "3-4", "5-8", "9+"};
-  return {
-      {"dimension", "Of the affine hull of the points.", {"none", "0", "1", "2", "3"}},
-      {"duplicates", "Rows that repeat another one.", yes_or_no},
-      {"cluster",
-       "Points of the largest contact set of a stationary point or a Voronoi vertex.",
-       {"0-4", "5", "6", "7-8", "9+"}},
-      {"polygon", "Corners of the largest polygon of a Voronoi edge.", {"0-3", "4", "5-6", "7+"}},
-      {"12", "Regular stationary points of kind 1-2.", few},
-      {"23", "Regular stationary points of kind 2-3.", few},
-      {"13", "Regular stationary points of kind 1-3.", few},
-      {"chain",
-       "Voronoi edges of right-angled polygons that hang together at Voronoi vertices, most of them.",
-       {"0", "1", "2", "3+"}},
-      {"vertex-starts", "Segments of unstable manifolds that start at a Voronoi vertex.", few},
-      {"vertex-hits", "Segments of unstable manifolds that cross a facet and meet a Voronoi vertex.", few},
-      {"ends-regular", "Orbits of unstable manifolds that end at a regular stationary point.", yes_or_no},
-      {"ends-infinity", "Orbits of unstable manifolds that go to infinity.", yes_or_no},
-      {"cascade", "Segments of the longest orbit of an unstable manifold.", lengths},
-      {"descent", "Segments of the longest connecting orbit down to a point of index 1.", lengths},
-      {"s2-vertex", "Stable manifolds of index 2 with a Voronoi vertex in their skeleton.", yes_or_no},
-      {"s2-interval", "Stable manifolds of index 2 with a part of dimension 3.", yes_or_no},
-      {"ties", "Points of index 2 whose boundary a tie leaves open.", yes_or_no},
-      {"exact", "Predicates of the stationary points that exact arithmetic had to decide.", texts_of(kPredicateNames),
-       true, false},
-      {"exact-flow", "Signs and constructions of the flow that the usual filter left open.",
-       texts_of(kFlowPrimitiveNames), true, false},
-  };
-}
-
 // How many of the ascending bounds the count has reached.
 std::uint8_t bucket(std::size_t count, std::initializer_list<std::size_t> bounds) {
   return static_cast<std::uint8_t>(
@@ -188,7 +155,36 @@ void add_stable(const StableStatistics& statistics, DegeneracySignature& signatu
 }  // namespace
 
 const std::vector<SignatureComponent>& signature_components() {
-  static const std::vector<SignatureComponent> components = table();
+  static const std::vector<std::string> yes_or_no{"0", "1+"};
+  static const std::vector<std::string> few{"0", "1", "2+"};
+  static const std::vector<std::string> lengths{"0", "1", "2", "3-4", "5-8", "9+"};
+  static const std::vector<SignatureComponent> components = {
+      {"dimension", "Of the affine hull of the points.", {"none", "0", "1", "2", "3"}},
+      {"duplicates", "Rows that repeat another one.", yes_or_no},
+      {"cluster",
+       "Points of the largest contact set of a stationary point or a Voronoi vertex.",
+       {"0-4", "5", "6", "7-8", "9+"}},
+      {"polygon", "Corners of the largest polygon of a Voronoi edge.", {"0-3", "4", "5-6", "7+"}},
+      {"12", "Regular stationary points of kind 1-2.", few},
+      {"23", "Regular stationary points of kind 2-3.", few},
+      {"13", "Regular stationary points of kind 1-3.", few},
+      {"chain",
+       "Voronoi edges of right-angled polygons that hang together at Voronoi vertices, most of them.",
+       {"0", "1", "2", "3+"}},
+      {"vertex-starts", "Segments of unstable manifolds that start at a Voronoi vertex.", few},
+      {"vertex-hits", "Segments of unstable manifolds that cross a facet and meet a Voronoi vertex.", few},
+      {"ends-regular", "Orbits of unstable manifolds that end at a regular stationary point.", yes_or_no},
+      {"ends-infinity", "Orbits of unstable manifolds that go to infinity.", yes_or_no},
+      {"cascade", "Segments of the longest orbit of an unstable manifold.", lengths},
+      {"descent", "Segments of the longest connecting orbit down to a point of index 1.", lengths},
+      {"s2-vertex", "Stable manifolds of index 2 with a Voronoi vertex in their skeleton.", yes_or_no},
+      {"s2-interval", "Stable manifolds of index 2 with a part of dimension 3.", yes_or_no},
+      {"ties", "Points of index 2 whose boundary a tie leaves open.", yes_or_no},
+      {"exact", "Predicates of the stationary points that exact arithmetic had to decide.", texts_of(kPredicateNames),
+       true, false},
+      {"exact-flow", "Signs and constructions of the flow that the usual filter left open.",
+       texts_of(kFlowPrimitiveNames), true, false},
+  };
   return components;
 }
 

@@ -400,8 +400,10 @@ Mutation move(const std::string& name, const std::string& description, std::size
   });
 }
 
-std::vector<Mutation> table() {
-  return {
+}  // namespace
+
+const std::vector<Mutation>& mutations() {
+  static const std::vector<Mutation> all = {
       move("onto-circumsphere", "x on the sphere through p, q, r, s", 4, on_circumsphere),
       move("onto-circumcircle", "x on the circle through p, q, r", 3, on_circumcircle),
       move("onto-great-sphere", "x on the smallest sphere through p, q, r: their circle is a great one", 3,
@@ -423,12 +425,6 @@ std::vector<Mutation> table() {
       mutation("scale", "all are multiplied by a power of two", scale),
       mutation("turn", "all are turned by an integer rotation, and multiplied by its norm", turn),
   };
-}
-
-}  // namespace
-
-const std::vector<Mutation>& mutations() {
-  static const std::vector<Mutation> all = table();
   return all;
 }
 

@@ -157,8 +157,6 @@ constexpr std::size_t kMostKills = 20;
 // Cases under way have so long when everything is to stop.
 constexpr double kSecondsToStop = 2;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
 // ---- A process of its own for one trial ----
 
 // Closes all but the standard descriptors and these two. The others are the lock of the campaign's folder and ends of

@@ -372,7 +372,7 @@ void require_new_folder(const std::string& folder) {
   std::error_code ignored;
   if (!fs::exists(folder, ignored)) return;
   const std::string again = shell_word(folder), other = shell_word(next_free_name(folder));
-  if (fs::exists(fs::path(folder) / "plan.json", ignored)) {
+  if (fs::exists(fs::path(folder) / fuzz::kPlanName, ignored)) {
     throw InvalidInput(fmt::format(
         "{}: there is a campaign already; --resume {} goes on with it, --out {} begins another", folder, again, other));
   }

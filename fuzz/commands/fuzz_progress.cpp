@@ -53,11 +53,9 @@ FuzzProgress::FuzzProgress(const fuzz::Campaign& campaign, std::optional<double>
       cases_before_(campaign.tally().cases),
       is_terminal_(::isatty(STDERR_FILENO) == 1) {}
 
-FuzzProgress::~FuzzProgress() { erase(); }
+FuzzProgress::~FuzzProgress() { hide(); }
 
-double FuzzProgress::seconds_so_far() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-
-void FuzzProgress::erase() {
+void FuzzProgress::hide() {
   if (lines_drawn_ == 0) return;
   io::tell(fmt::format("\r{}\033[J", lines_drawn_ > 1 ? fmt::format("\033[{}A", lines_drawn_ - 1) : ""));
   lines_drawn_ = 0;
@@ -89,7 +87,7 @@ void FuzzProgress::operator()(std::size_t under_way) {
   lines.resize(std::min(lines.size(), std::max<std::size_t>(height, 3) - 2));
   std::string text;
   for (const std::string& line : lines) text += (text.empty() ? "" : "\n") + line.substr(0, width - 1);
-  erase();
+  hide();
   io::tell(text);
   lines_drawn_ = lines.size();
 }

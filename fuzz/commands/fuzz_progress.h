@@ -25,15 +25,14 @@ class FuzzProgress {
   void operator()(std::size_t under_way);
 
   // Erases it until the next call, so that something else can be printed.
-  void hide() { erase(); }
+  void hide();
 
-  [[nodiscard]] double seconds_so_far() const;
+  [[nodiscard]] double seconds_so_far() const { return fuzz::seconds_since(start_); }
 
  private:
   using Clock = std::chrono::steady_clock;
 
   [[nodiscard]] std::string first_line(std::size_t cases) const;
-  void erase();
 
   const fuzz::Campaign& campaign_;
   std::optional<double> seconds_;

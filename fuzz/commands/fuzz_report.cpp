@@ -335,10 +335,6 @@ void print_fuzz_json(const FuzzRun& run) {
   print_report_json(report, 2);
 }
 
-}  // namespace
-
-namespace {
-
 constexpr std::size_t kMostPointsPrinted = 5;
 
 // "(0, 0, 0) (1, 0.5, 0)", exact

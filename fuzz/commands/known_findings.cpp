@@ -10,8 +10,6 @@ namespace flowcert::commands {
 
 namespace {
 
-constexpr char kPlanOfCampaign[] = "plan.json";
-
 fuzz::Counterexample known_finding(const std::filesystem::path& path) {
   fuzz::Counterexample finding = read_counterexample(path);
   if (finding.property.empty() || finding.disagreement.kind.empty()) {
@@ -33,7 +31,7 @@ KnownFindings::KnownFindings(const std::vector<std::string>& paths) {
 }
 
 void KnownFindings::add_folder(const std::string& path) {
-  if (std::filesystem::exists(std::filesystem::path(path) / kPlanOfCampaign)) {
+  if (std::filesystem::exists(std::filesystem::path(path) / fuzz::kPlanName)) {
     const fuzz::Campaign campaign = fuzz::Campaign::read(path);
     for (const auto& [key, finding] : campaign.counterexamples()) known_.insert(way_of(finding));
     return;

@@ -22,22 +22,16 @@ void print(std::ostream& out, double value) {
 
 std::ostream& operator<<(std::ostream& out, const Input& input) {
   for (const Row& row : input.rows) {
-    print(out, row[0]);
-    out << ' ';
-    print(out, row[1]);
-    out << ' ';
-    print(out, row[2]);
-    out << '\n';
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      print(out, row[axis]);
+      out << (axis < 2 ? ' ' : '\n');
+    }
   }
   return out;
 }
 
 double nudged(double value, int steps) {
-  if (steps == 0) {
-    return value;
-  }
-  const double infinity = std::numeric_limits<double>::infinity();
-  return std::nextafter(value, steps > 0 ? infinity : -infinity);
+  return steps == 0 ? value : std::nextafter(value, steps * std::numeric_limits<double>::infinity());
 }
 
 }  // namespace flowcert::fuzz

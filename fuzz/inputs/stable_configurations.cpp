@@ -130,27 +130,20 @@ rc::Gen<IntegerPoints> crowded_points() {
 
 // ---- Families ----
 
-namespace {
-
-std::vector<Family> table() {
-  return {{"aimed-at-vertices",
-           "a side of a triangle, and points below it that make a Voronoi vertex on the branch of S2 there",
-           [] { return placed_distinct(aimed_points()); },
-           {.four_points = 90, .degenerate = 10}},
-          {"aimed-at-stars",
-           "the same, where three edges lead to the Voronoi vertex that have one of its samples in common",
-           [] { return placed_distinct(aimed_at_a_star()); },
-           {.four_points = 100}},
-          {"crowded-sectors",
-           "four points around a regular stationary centre, and others that cut off its sectors",
-           [] { return placed_distinct(crowded_points()); },
-           {.four_points = 100, .degenerate = 100}}};
-}
-
-}  // namespace
-
 const std::vector<Family>& stable_families() {
-  static const std::vector<Family> families = table();
+  static const std::vector<Family> families = {
+      {"aimed-at-vertices",
+       "a side of a triangle, and points below it that make a Voronoi vertex on the branch of S2 there",
+       [] { return placed_distinct(aimed_points()); },
+       {.four_points = 90, .degenerate = 10}},
+      {"aimed-at-stars",
+       "the same, where three edges lead to the Voronoi vertex that have one of its samples in common",
+       [] { return placed_distinct(aimed_at_a_star()); },
+       {.four_points = 100}},
+      {"crowded-sectors",
+       "four points around a regular stationary centre, and others that cut off its sectors",
+       [] { return placed_distinct(crowded_points()); },
+       {.four_points = 100, .degenerate = 100}}};
   return families;
 }
 

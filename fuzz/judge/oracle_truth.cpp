@@ -22,6 +22,7 @@
 #include "oracle/persistence.h"
 #include "oracle/pockets.h"
 #include "oracle/stable_pieces.h"
+#include "oracle/stationary_points.h"
 #include "oracle/unstable_set.h"
 
 namespace flowcert::judge {
@@ -293,11 +294,12 @@ std::unique_ptr<Truth> oracle_truth(const std::vector<Point>& rows) {
   return std::make_unique<OracleTruth>(coordinates, oracle::stationary_points(oracle::fast::PointSet(coordinates)));
 }
 
-std::unique_ptr<Truth> oracle_truth(const std::vector<Point>& rows, oracle::Answer answer) {
-  return std::make_unique<OracleTruth>(triples(rows), std::move(answer));
-}
-
 // ---- Persistence pairs ----
+
+namespace {
+
+// The oracle's homology takes the cube of time n^4.
+constexpr std::size_t kMostPointsForOraclePairs = 12;
 
 std::vector<ListedPair> oracle_pairs(const std::vector<Point>& rows) {
   if (rows.size() > kMostPointsForOraclePairs) {
@@ -311,8 +313,6 @@ std::vector<ListedPair> oracle_pairs(const std::vector<Point>& rows) {
 }
 
 // ---- A vector's ----
-
-namespace {
 
 oracle::Answer answer_of(const VectorCase& one) {
   oracle::Answer answer{one.rows.size(), one.merged_duplicates, {}};

@@ -8,7 +8,6 @@
 #include "certify/programs/vector_cases.h"
 #include "certify/truth.h"
 #include "fuzz/judge/layer.h"
-#include "oracle/stationary_points.h"
 
 namespace flowcert::judge {
 
@@ -22,17 +21,6 @@ inline constexpr std::size_t kMostPointsForOracle = 100;
 // Throws InvalidInput for more than kMostPointsForOracle rows.
 [[nodiscard]] std::unique_ptr<Truth> oracle_truth(const std::vector<Point>& rows);
 
-// For rows whose stationary points are all known, in the order of FC-OUT-02. Only what flows from them has yet to be
-// computed.
-[[nodiscard]] std::unique_ptr<Truth> oracle_truth(const std::vector<Point>& rows, oracle::Answer answer);
-
-// ---- Persistence pairs ----
-
-// The oracle's homology takes the cube of time n^4.
-inline constexpr std::size_t kMostPointsForOraclePairs = 12;
-
-[[nodiscard]] std::vector<ListedPair> oracle_pairs(const std::vector<Point>& rows);
-
 // ---- A vector's ----
 // What a conformance vector says is right, as the truth by which a claim is judged.
 //
@@ -42,7 +30,7 @@ inline constexpr std::size_t kMostPointsForOraclePairs = 12;
 // The case must not be an invalid one, and must outlive the truth.
 [[nodiscard]] std::unique_ptr<Truth> vector_truth(const VectorCase& one);
 
-// All of these, for code that does not know the oracle.
+// Both, and persistence pairs, for code that does not know the oracle.
 [[nodiscard]] OtherTruth truth_of_oracle();
 
 }  // namespace flowcert::judge

@@ -12,16 +12,14 @@
 
 namespace flowcert::property {
 
-inline std::string exchange_file(const std::vector<Point>& rows, const RecordsToWrite& wanted) {
+// Without `wanted`: with --manifolds u2,s2 --polylines --skeletons.
+inline std::string exchange_file(const std::vector<Point>& rows,
+                                 const RecordsToWrite& wanted = {
+                                     .u2 = true, .polylines = true, .s2 = true, .skeletons = true}) {
   const FlowComplex complex{std::span(rows)};
   std::ostringstream out;
   write_stationary_points(out, complex, wanted);
   return out.str();
-}
-
-// With --manifolds u2,s2 --polylines --skeletons.
-inline std::string exchange_file(const std::vector<Point>& rows) {
-  return exchange_file(rows, {.u2 = true, .polylines = true, .s2 = true, .skeletons = true});
 }
 
 }  // namespace flowcert::property

@@ -12,6 +12,7 @@
 #include "fuzz/inputs/byte_input.h"
 #include "fuzz/inputs/families.h"
 #include "fuzz/inputs/stable_configurations.h"
+#include "fuzz/properties/input_points.h"
 
 namespace flowcert::fuzz {
 namespace {
@@ -66,9 +67,7 @@ void make_seeds(const std::string& target, const std::string& path, int files, c
   for (const auto& family : families()) add_one_of(family, most_rows, folder);
   for (const auto& family : stable_families()) add_one_of(family, most_rows, folder);
   for (int k = 0; k < files; ++k) {
-    Input input;
-    for (const Point& row : read_points(names[k]).rows) input.rows.push_back({row.x, row.y, row.z});
-    folder.add(std::filesystem::path(names[k]).stem().string(), input);
+    folder.add(std::filesystem::path(names[k]).stem().string(), property::input_of(read_points(names[k]).rows));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "flowcert/read_points.h"
+#include "fuzz/properties/input_points.h"
 #include "fuzz/targets/reading.h"
 #include "oracle/program/read_points.h"
 
@@ -14,11 +15,7 @@ namespace {
 
 using Rows = std::vector<Row>;
 
-Rows rows_of(const PointFile& file) {
-  Rows rows;
-  for (const Point& row : file.rows) rows.push_back({row.x, row.y, row.z});
-  return rows;
-}
+Rows rows_of(const PointFile& file) { return property::input_of(file.rows).rows; }
 
 // Here -0.0 differs from 0.0.
 bool same_bits(const Rows& a, const Rows& b) {

@@ -85,8 +85,7 @@ bool RankLines::have_said(const std::string& word, int ranks, double seconds, co
     if (line && line->text == word) who.insert(line->from);
     if (line && line->text == other) return false;
     if (line) continue;
-    const double so_far = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (so_far > seconds) return false;
+    if (fuzz::seconds_since(start) > seconds) return false;
     forget_sent_pieces();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
@@ -98,12 +97,11 @@ bool RankLines::have_said(const std::string& word, int ranks, double seconds, co
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using fuzz::seconds_since;
 
 constexpr std::chrono::milliseconds kPause{5};
 // mpirun passes a signal on, and kills all ranks a second later. So rank 0 waits only so long after a signal.
 constexpr double kSecondsAfterSignal = 0.5;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 struct Worker {
   int rank = 0;
