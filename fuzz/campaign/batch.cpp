@@ -182,8 +182,6 @@ void Tally::add(const Tally& other) {
 json json_of(const Tally& tally) {
   json rows = json::array();
   for (const auto& [count, of] : tally.by_rows) rows.push_back({count, of.cases, of.seconds});
-  json reached = json::array();
-  for (const auto& values : tally.reached) reached.push_back(pairs_of(values));
   return {{"cases", tally.cases},
           {"left_out", tally.left_out},
           {"by_source", pairs_of(tally.by_source)},
@@ -191,7 +189,7 @@ json json_of(const Tally& tally) {
           {"by_rows", rows},
           {"by_property", pairs_of(tally.by_property)},
           {"failures", tally.failures},
-          {"reached", reached}};
+          {"reached", tally.reached}};
 }
 
 Tally tally_of(const json& object) {

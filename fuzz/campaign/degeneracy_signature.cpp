@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <initializer_list>
-#include <numeric>
 #include <set>
 #include <span>
 
 #include "fuzz/properties/subject.h"
+#include "geometry/disjoint_sets.h"
 #include "voronoi/voronoi_diagram.h"
 
 namespace flowcert::fuzz {
@@ -51,27 +51,20 @@ std::size_t points_of_cluster(const VoronoiComplex& complex, std::span<const Cel
 // Sets of connected Voronoi vertices, each with its number of edges.
 class Chains {
  public:
-  explicit Chains(std::size_t vertices) : parent_(vertices), edges_(vertices) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
+  explicit Chains(std::size_t vertices) : sets_(vertices), edges_(vertices) {}
 
   // Adds an edge, and returns the number of edges in its set. One end may be at infinity, but not both: in dimension
   // 3 no Voronoi edge is a line.
   std::size_t add(CellIndex from, CellIndex to) {
-    const std::size_t a = root(from == kNoCell ? to : from);
-    const std::size_t b = root(to == kNoCell ? from : to);
-    if (a != b) edges_[b] += edges_[a];
-    parent_[a] = b;
-    return ++edges_[b];
+    const std::uint32_t a = sets_.find(from == kNoCell ? to : from);
+    const std::uint32_t b = sets_.find(to == kNoCell ? from : to);
+    const std::size_t edges = edges_[a] + (a == b ? 0 : edges_[b]) + 1;
+    sets_.unite(a, b);
+    return edges_[sets_.find(a)] = edges;
   }
 
  private:
-  [[nodiscard]] std::size_t root(std::size_t vertex) const {
-    while (parent_[vertex] != vertex) vertex = parent_[vertex];
-    return vertex;
-  }
-
-  std::vector<std::size_t> parent_;
+  geometry::DisjointSets sets_;
   std::vector<std::size_t> edges_;
 };
 
