@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "certify/programs/command_run.h"
-#include "certify/programs/conformance_words.h"
 #include "cli/check_report.h"
 #include "cli/command.h"
 #include "cli/counted.h"

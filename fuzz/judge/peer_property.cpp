@@ -15,7 +15,7 @@
 #include "certify/pair_differences.h"
 #include "certify/programs/case_dialogue.h"
 #include "certify/programs/command_run.h"
-#include "certify/programs/conformance_words.h"
+#include "certify/programs/conformance_run.h"
 #include "certify/programs/verification.h"
 #include "flowcert/claim.h"
 #include "fuzz/properties/input_points.h"

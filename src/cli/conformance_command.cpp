@@ -15,7 +15,6 @@
 
 #include "certify/programs/command_run.h"
 #include "certify/programs/limited_program.h"
-#include "certify/programs/vectors_folder.h"
 #include "cli/check_command.h"
 #include "cli/check_report.h"
 #include "cli/checked_words.h"

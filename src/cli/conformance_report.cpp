@@ -7,7 +7,6 @@
 #include <ostream>
 #include <set>
 
-#include "certify/programs/conformance_words.h"
 #include "cli/check_report.h"
 #include "cli/command.h"
 #include "cli/profile_report.h"

@@ -14,7 +14,6 @@
 #include <ostream>
 #include <set>
 
-#include "certify/programs/conformance_words.h"
 #include "certify/programs/verification.h"
 #include "cli/case_progress.h"
 #include "cli/check_command.h"

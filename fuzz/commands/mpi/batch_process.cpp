@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "certify/programs/conformance_words.h"
+#include "certify/programs/command_run.h"
 #include "fuzz/campaign/batch.h"
 #include "fuzz/campaign/worker_processes.h"
 

@@ -17,7 +17,7 @@
 #include <thread>
 #include <vector>
 
-#include "certify/programs/conformance_words.h"
+#include "certify/programs/command_run.h"
 #include "certify/programs/limited_program.h"
 #include "cli/command.h"
 #include "cli/command_line.h"

@@ -14,7 +14,6 @@
 #include "certify/finding_words.h"
 #include "certify/programs/command_run.h"
 #include "certify/programs/vector_cases.h"
-#include "certify/programs/vectors_folder.h"
 #include "geometry/mixed_bits.h"
 #include "io/number_text.h"
 

@@ -32,28 +32,12 @@ constexpr std::size_t kMostBytesOfReply = std::size_t{16} << 20;
 constexpr std::chrono::milliseconds kLook{50};
 constexpr std::string_view kItsOutput = "standard output";
 
-class File {
- public:
-  explicit File(int number) : number_(number) {}
-  ~File() { close(); }
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-
-  [[nodiscard]] int number() const { return number_; }
-  void close() {
-    if (number_ >= 0) ::close(std::exchange(number_, -1));
-  }
-
- private:
-  int number_;
-};
-
 // Between this process and the program, in one direction. The program gets neither end but as a standard descriptor.
 class OneWay {
  public:
   OneWay() : OneWay(opened()) {}
 
-  File reading, writing;
+  Descriptor reading, writing;
 
  private:
   explicit OneWay(const std::array<int, 2>& ends) : reading(ends[0]), writing(ends[1]) {}
@@ -115,13 +99,6 @@ class ReplyBytes final : public std::streambuf {
   std::array<char, 65536> bytes_{};
 };
 
-File opened_for_messages(const fs::path& path) {
-  // Each write goes to the end, so that the file can be emptied meanwhile.
-  const int number = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
-  if (number < 0) throw std::system_error(errno, std::generic_category(), path.string());
-  return File(number);
-}
-
 }  // namespace
 
 // ---- One process ----
@@ -133,7 +110,7 @@ class CaseDialogue::Process {
       : limits_(limits),
         is_cancelled_(is_cancelled),
         run_{.folder = folder, .answer_name = std::string(kItsOutput), .answer = {}, .end = {}},
-        messages_(opened_for_messages(run_.err())),
+        messages_(run_.err().string(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND),
         running_(command, fs::current_path().string(),
                  {cases_.reading.number(), replies_.writing.number(), messages_.number()}, limits),
         bytes_(replies_.reading.number(), is_cancelled),
@@ -202,7 +179,7 @@ class CaseDialogue::Process {
   ProgramLimits limits_;
   const std::function<bool()>& is_cancelled_;
   CommandRun run_;
-  File messages_;
+  Descriptor messages_;  // each write goes to the end, so that the file can be emptied meanwhile
   OneWay cases_, replies_;
   RunningCommand running_;
   ReplyBytes bytes_;

@@ -14,9 +14,9 @@
 #include <fstream>
 #include <system_error>
 
-#include "certify/programs/conformance_words.h"
 #include "flowcert/point_set.h"
 #include "geometry/contract.h"
+#include "io/foreign_text.h"
 #include "io/number_text.h"
 #include "io/output_file.h"
 
@@ -68,28 +68,13 @@ namespace {
   throw InvalidInput(fmt::format("{}: {}", name, reason));
 }
 
-// With O_NONBLOCK a named pipe opens at once, and is then recognised.
-class OpenFile {
- public:
-  OpenFile(const std::string& path, const std::string& name)
-      : number_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) {
-    if (number_ < 0) reject(name, errno == ENOENT ? "there is no such file" : std::strerror(errno));
-  }
-  ~OpenFile() { ::close(number_); }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-
-  [[nodiscard]] int number() const { return number_; }
-
- private:
-  int number_;
-};
-
 // Reads a file that some other program left, of which nothing can be assumed. It never waits for the other end of a
 // pipe, and takes bounded memory. Throws InvalidInput "NAME: reason" if the file is missing, is no regular file, or
 // is longer than `most` bytes.
 std::string read_bounded(const std::string& path, std::size_t most, const std::string& name) {
-  const OpenFile file(path, name);
+  // With O_NONBLOCK a named pipe opens at once, and is then recognised.
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  if (file.number() < 0) reject(name, errno == ENOENT ? "there is no such file" : std::strerror(errno));
   struct stat status{};
   if (::fstat(file.number(), &status) != 0) reject(name, std::strerror(errno));
   if (!S_ISREG(status.st_mode)) reject(name, "not a regular file");
@@ -180,6 +165,12 @@ std::string complaint_about_relative_path(const std::string& command) {
   return fmt::format(
       "the command does not run here, but in a folder for each case: name {} by its full path, \"$PWD/{}\"",
       in_quotes(program), program);
+}
+
+std::string one_line(const std::string& text) {
+  constexpr std::size_t kLongestLine = 300;
+  const std::string line = io::on_one_line(io::front_of(text, kLongestLine));
+  return text.size() > kLongestLine ? line + "..." : line;
 }
 
 void write_text_file(const fs::path& path, const std::string& text) {

@@ -66,6 +66,9 @@ struct CommandRun {
 // then; empty if all is well.
 [[nodiscard]] std::string complaint_about_relative_path(const std::string& command);
 
+// What a program under test has written, for a line of a report: without control characters, and not endless.
+[[nodiscard]] std::string one_line(const std::string& text);
+
 // Throws OutputError.
 void write_text_file(const std::filesystem::path& path, const std::string& text);
 

@@ -14,7 +14,6 @@
 
 #include "certify/finding_words.h"
 #include "certify/programs/command_run.h"
-#include "certify/programs/conformance_words.h"
 #include "certify/viewer_claim.h"
 #include "flowcert/claim.h"
 #include "geometry/parallel_for.h"
@@ -24,6 +23,33 @@
 #include "io/output_file.h"
 
 namespace flowcert::certify {
+
+// ---- Words ----
+
+const char* run_outcome_text(RunOutcome outcome) {
+  constexpr std::array<const char*, kRunOutcomes> kTexts = {"conforms",  "conforms where determined",
+                                                            "perturbed", "properly refused",
+                                                            "skipped",   "fails",
+                                                            "accepted",  "refused",
+                                                            "crashed",   "timed out",
+                                                            "unreadable"};
+  return kTexts.at(static_cast<std::size_t>(outcome));
+}
+
+std::string finding_words(const Finding& finding) {
+  return one_line(fmt::format("level {}: {} [{}]: claimed {}; truth: {}", finding.level, reason_text(finding.reason),
+                              finding.clause, finding.claimed, finding.truth));
+}
+
+std::string orbit_finding_words(const OrbitFinding& finding) {
+  return one_line(fmt::format("orbit from {}: claimed {}; truth: {}", finding.start, finding.difference.claimed,
+                              finding.difference.truth));
+}
+
+std::string persistence_finding_words(const PairDifference& difference) {
+  return one_line(fmt::format("persistence{}: claimed {}; truth: {}", difference.by_rounding ? ", rounding" : "",
+                              difference.claimed, difference.truth));
+}
 
 // ---- A case ----
 
@@ -40,8 +66,6 @@ void copy_if_regular(const fs::path& from, const fs::path& to) {
   std::error_code ignored;
   if (fs::is_regular_file(from, ignored)) fs::copy_file(from, to);
 }
-
-using Run = CommandRun;
 
 class CaseRun {
  public:
@@ -77,7 +101,7 @@ class CaseRun {
   void judge_orbits() {
     if (options_.orbit_command.empty()) return;
     for (const CaseOrbit& orbit : case_.orbits) {
-      const Run run = run_orbit(orbit.start);
+      const CommandRun run = run_orbit(orbit.start);
       if (!ends_well(run) || !judge_orbit(run, orbit)) return;
     }
     if (!case_.orbits.empty()) tell(ProfilePart::kOrbits, true);
@@ -85,18 +109,20 @@ class CaseRun {
 
   // ---- Running
 
-  Run run_claim() {
-    Run claim = run(options_.command, options_.out_name, {});
+  CommandRun run_claim() {
+    CommandRun claim = run(options_.command, options_.out_name, {});
     claim_folder_ = claim.folder;
     return claim;
   }
-  Run run_orbit(const std::string& start) { return run(options_.orbit_command, kOrbitName, {{"{start}", start}}); }
-  Run run_persistence() { return run(options_.persistence_command, kPersistenceName, {}); }
+  CommandRun run_orbit(const std::string& start) {
+    return run(options_.orbit_command, kOrbitName, {{"{start}", start}});
+  }
+  CommandRun run_persistence() { return run(options_.persistence_command, kPersistenceName, {}); }
 
-  Run run(const std::string& command, const std::string& out_name,
-          const std::vector<std::pair<std::string, std::string>>& values) {
-    Run run = run_command({command, point_file_name(options_.points), points_, out_name, values},
-                          folder_ / fmt::format("{}", ++runs_), options_.limits, is_cancelled_);
+  CommandRun run(const std::string& command, const std::string& out_name,
+                 const std::vector<std::pair<std::string, std::string>>& values) {
+    CommandRun run = run_command({command, point_file_name(options_.points), points_, out_name, values},
+                                 folder_ / fmt::format("{}", ++runs_), options_.limits, is_cancelled_);
     result_.seconds += run.end.seconds;
     return run;
   }
@@ -104,7 +130,7 @@ class CaseRun {
   // ---- How a run ends
 
   // The first negative outcome decides the case, and its run is kept.
-  void fail(const Run& run, RunOutcome outcome, const std::string& message) {
+  void fail(const CommandRun& run, RunOutcome outcome, const std::string& message) {
     if (outcome != RunOutcome::kFails) add_reason(one_word(run_outcome_text(outcome)), message);
     if (is_negative(result_.outcome)) return;
     result_.outcome = outcome;
@@ -122,7 +148,7 @@ class CaseRun {
     if (!is_known) result_.reasons.push_back({reason, example});
   }
 
-  void keep(const Run& run) const {
+  void keep(const CommandRun& run) const {
     const fs::path folder = fs::path(options_.keep) / case_.id;
     fs::create_directories(folder);
     write_text_file(folder / point_file_name(options_.points), points_);
@@ -134,7 +160,7 @@ class CaseRun {
   }
 
   // The points in a page and, if they were claimed, what is wrong with the critical points.
-  void keep_page(const Run& run, const fs::path& folder) const {
+  void keep_page(const CommandRun& run, const fs::path& folder) const {
     std::optional<ClaimText> claim;
     if (run.folder == claim_folder_) {
       try {
@@ -149,7 +175,7 @@ class CaseRun {
   }
 
   // Returns false if the program said neither yes nor no, because it crashed, was late or was cancelled.
-  bool comes_to_an_end(const Run& run) {
+  bool comes_to_an_end(const CommandRun& run) {
     const ProgramEnd& end = run.end;
     if (end.ending == ProgramEnding::kTimedOut) {
       fail(run, RunOutcome::kTimedOut, fmt::format("not done after {} s", options_.limits.seconds));
@@ -163,13 +189,13 @@ class CaseRun {
     return false;
   }
 
-  bool ends_well(const Run& run) {
+  bool ends_well(const CommandRun& run) {
     if (!comes_to_an_end(run)) return false;
     if (run.end.number != 0) fail(run, RunOutcome::kRefused, status_text(run));
     return run.end.number == 0;
   }
 
-  void expect_refusal(const Run& run) {
+  void expect_refusal(const CommandRun& run) {
     if (!comes_to_an_end(run)) return;
     if (run.end.number == 0) return fail(run, RunOutcome::kAccepted, "exit status 0");
     result_.outcome = RunOutcome::kProperlyRefused;
@@ -180,7 +206,7 @@ class CaseRun {
 
   // Calls read(bytes). Returns false if the answer cannot be read.
   template <typename Read>
-  bool read_answer(const Run& run, const Read& read) {
+  bool read_answer(const CommandRun& run, const Read& read) {
     const io::ThrowsOutOfMemory throws;
     try {
       read(answer_bytes(run));
@@ -195,7 +221,7 @@ class CaseRun {
     return false;
   }
 
-  void judge_claim(const Run& run) {
+  void judge_claim(const CommandRun& run) {
     if (!ends_well(run)) return;
     const PointSet points(case_.rows);
     Claim claim;
@@ -207,7 +233,7 @@ class CaseRun {
     take(run, check(points, claim, *options_.truth.of_vector(case_), options_.check));
   }
 
-  void take(const Run& run, CheckReport report) {
+  void take(const CommandRun& run, CheckReport report) {
     for (std::size_t k = 0; k < kLevels; ++k) result_.judged.at(k) = report.conforms.at(k).has_value();
     result_.profile = report.profile;
     auto& findings = report.findings;
@@ -229,7 +255,7 @@ class CaseRun {
     result_.findings.assign(findings.begin(), findings.begin() + static_cast<std::ptrdiff_t>(kept));
   }
 
-  bool judge_orbit(const Run& run, const CaseOrbit& orbit) {
+  bool judge_orbit(const CommandRun& run, const CaseOrbit& orbit) {
     OrbitPath claimed;
     const bool is_read = read_answer(run, [&](const std::string& bytes) {
       claimed = claimed_orbit_of(io::without_byte_order_mark(bytes), run.answer_name);
@@ -251,7 +277,7 @@ class CaseRun {
     return true;
   }
 
-  void judge_persistence(const Run& run) {
+  void judge_persistence(const CommandRun& run) {
     if (!ends_well(run)) return;
     std::vector<ClaimedPair> claimed;
     const bool is_read = read_answer(run, [&](const std::string& bytes) {
@@ -287,67 +313,37 @@ class CaseRun {
   CaseOutcome result_;
 };
 
-// Runs in a new folder in `scratch`, which is removed afterwards. If is_cancelled, the result means nothing.
-CaseOutcome run_case(const VectorCase& one, const ConformanceOptions& options, const fs::path& scratch,
-                     const std::function<bool()>& is_cancelled) {
-  const ScratchFolder folder(scratch / one.id);
-  return CaseRun(one, options, folder.path(), is_cancelled).result();
-}
+}  // namespace
 
 // ---- All cases ----
 
-using Progress = std::function<void(std::size_t done, std::size_t total)>;
-
 // Each thread takes the next case, until there is none, or until one of them cannot go on.
-class ConformanceRun {
- public:
-  ConformanceRun(const std::vector<const VectorCase*>& cases, const ConformanceOptions& options,
-                 const Progress& progress)
-      : cases_(cases), options_(options), progress_(progress), outcomes_(cases.size()) {}
-
-  std::vector<CaseOutcome> outcomes() {
-    geometry::parallel_for(cases_.size(), options_.jobs, [this](std::size_t k) { take(k); });
-    if (Interruption::signal() != 0) throw Interrupted{Interruption::signal()};
-    if (failure_) std::rethrow_exception(failure_);
-    return std::move(outcomes_);
-  }
-
- private:
-  void take(std::size_t k) {
+std::vector<CaseOutcome> run_conformance(const std::vector<const VectorCase*>& cases, const ConformanceOptions& options,
+                                         const std::function<void(std::size_t done, std::size_t total)>& progress) {
+  std::vector<CaseOutcome> outcomes(cases.size());  // each is written by one worker
+  const ScratchFolder scratch;
+  std::atomic<bool> has_failed{false};
+  std::mutex mutex;  // for what follows
+  std::size_t done = 0;
+  std::exception_ptr failure;
+  const std::function<bool()> is_over = [&] { return has_failed || Interruption::signal() != 0; };
+  geometry::parallel_for(cases.size(), options.jobs, [&](std::size_t k) {
     if (is_over()) return;
     try {
-      outcomes_[k] = run_case(*cases_[k], options_, scratch_.path(), [this] { return is_over(); });
+      const ScratchFolder folder(scratch.path() / cases[k]->id);
+      outcomes[k] = CaseRun(*cases[k], options, folder.path(), is_over).result();
     } catch (const std::exception& error) {
-      stop(fmt::format("{}: {}", cases_[k]->id, error.what()));
+      const std::lock_guard lock(mutex);
+      const std::string why = fmt::format("{}: {}", cases[k]->id, error.what());
+      if (!failure) failure = std::make_exception_ptr(std::runtime_error(why));
+      has_failed = true;
     }
-    const std::lock_guard lock(mutex_);
-    progress_(++done_, cases_.size());
-  }
-
-  void stop(const std::string& why) {
-    const std::lock_guard lock(mutex_);
-    if (!failure_) failure_ = std::make_exception_ptr(std::runtime_error(why));
-    has_failed_ = true;
-  }
-
-  [[nodiscard]] bool is_over() const { return has_failed_ || Interruption::signal() != 0; }
-
-  const std::vector<const VectorCase*>& cases_;
-  const ConformanceOptions& options_;
-  const Progress& progress_;
-  std::vector<CaseOutcome> outcomes_;  // each is written by one worker
-  ScratchFolder scratch_;
-  std::atomic<bool> has_failed_{false};
-  std::mutex mutex_;  // for what follows
-  std::size_t done_ = 0;
-  std::exception_ptr failure_;
-};
-
-}  // namespace
-
-std::vector<CaseOutcome> run_conformance(const std::vector<const VectorCase*>& cases, const ConformanceOptions& options,
-                                         const Progress& progress) {
-  return ConformanceRun(cases, options, progress).outcomes();
+    const std::lock_guard lock(mutex);
+    progress(++done, cases.size());
+  });
+  if (Interruption::signal() != 0) throw Interrupted{Interruption::signal()};
+  if (failure) std::rethrow_exception(failure);
+  return outcomes;
 }
 
 }  // namespace flowcert::certify

@@ -98,4 +98,16 @@ struct ConformanceOptions {
     const std::vector<const VectorCase*>& cases, const ConformanceOptions& options,
     const std::function<void(std::size_t done, std::size_t total)>& progress);
 
+// ---- Words ----
+// Every kind of report speaks of findings in these.
+
+// "level 3: missing [FC-CLAIM-03]: claimed nothing; truth: ..."
+[[nodiscard]] std::string finding_words(const Finding& finding);
+
+// "orbit from 1/2,0,0: claimed segment 2: type E-F-V; truth: E-F-E"
+[[nodiscard]] std::string orbit_finding_words(const OrbitFinding& finding);
+
+// "persistence: claimed dimension 1, birth 1/2, death 3/4; truth: no such pair"
+[[nodiscard]] std::string persistence_finding_words(const PairDifference& difference);
+
 }  // namespace flowcert::certify

@@ -23,6 +23,14 @@
 
 namespace flowcert::certify {
 
+Descriptor::Descriptor(const std::string& path, int flags) : number_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
+  if (number_ < 0) throw std::system_error(errno, std::generic_category(), path);
+}
+
+void Descriptor::close() {
+  if (number_ >= 0) ::close(std::exchange(number_, -1));
+}
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -42,21 +50,6 @@ const int kEndIt = SIGRTMIN + 7;
 constexpr Seconds kLongestDying{5};
 constexpr timespec kLook = {.tv_sec = 0, .tv_nsec = 500'000};
 constexpr int kMostLooks = 10'000;
-
-class Descriptor {
- public:
-  Descriptor(const std::string& path, int flags) : number_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
-    if (number_ < 0) throw std::system_error(errno, std::generic_category(), path);
-  }
-  ~Descriptor() { ::close(number_); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  [[nodiscard]] int number() const { return number_; }
-
- private:
-  int number_;
-};
 
 using ResourceLimit = std::pair<int, rlimit>;
 

@@ -21,6 +21,24 @@
 
 namespace flowcert::certify {
 
+// An open file, closed with the object.
+class Descriptor {
+ public:
+  // None for a negative number.
+  explicit Descriptor(int number) : number_(number) {}
+  // Throws std::system_error.
+  Descriptor(const std::string& path, int flags);
+  ~Descriptor() { close(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  [[nodiscard]] int number() const { return number_; }
+  void close();
+
+ private:
+  int number_;
+};
+
 struct ProgramLimits {
   double seconds = 10;
   std::uint64_t memory_bytes = 0;  // of address space, for each process; 0: no limit

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <system_error>
 #include <tuple>
 
 #include "certify/finding_words.h"
@@ -16,6 +17,8 @@
 namespace flowcert::certify {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr char kFlagFile[] = "flags.json";
 
@@ -267,7 +270,6 @@ void require_consistent(const std::string& folder, const Vectors& vectors) {
 }  // namespace
 
 Vectors read_vectors(const std::string& folder) {
-  namespace fs = std::filesystem;
   require(fs::is_directory(folder), folder + ": no folder of conformance vectors");
   std::vector<std::string> paths;
   for (const auto& entry : fs::directory_iterator(folder)) {
@@ -281,6 +283,13 @@ Vectors read_vectors(const std::string& folder) {
   for (const std::string& path : paths) add_group(path, vectors);
   require_consistent(folder, vectors);
   return vectors;
+}
+
+std::string usual_vectors_folder() {
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  const fs::path installed = program.parent_path().parent_path() / FLOWCERT_INSTALLED_VECTORS;
+  return fs::is_directory(installed, ignored) ? installed.string() : FLOWCERT_SOURCE_VECTORS;
 }
 
 // ---- Point files ----

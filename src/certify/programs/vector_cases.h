@@ -83,6 +83,8 @@ struct Vectors {
 };
 
 [[nodiscard]] Vectors read_vectors(const std::string& folder);
+// The folder beside an installed program, or else in the tree that the program was built from.
+[[nodiscard]] std::string usual_vectors_folder();
 
 // ---- Point files ----
 // The points of a conformance vector as a point file (spec/formats/points.md).

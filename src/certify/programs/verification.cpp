@@ -11,7 +11,6 @@
 #include <tuple>
 
 #include "certify/finding_words.h"
-#include "certify/programs/conformance_words.h"
 #include "flowcert/claim.h"
 #include "flowcert/flow_complex.h"
 #include "io/input_bytes.h"
