@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "cli/command.h"
-#include "cli/counted.h"
 #include "io/diagnostic.h"
 
 namespace flowcert::commands {

@@ -14,7 +14,6 @@
 #include "certify/programs/command_run.h"
 #include "cli/check_report.h"
 #include "cli/command.h"
-#include "cli/counted.h"
 #include "cli/reason_table.h"
 #include "cli/shortened_numbers.h"
 #include "cli/table.h"

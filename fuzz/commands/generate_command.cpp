@@ -16,12 +16,12 @@
 
 #include "certify/programs/asked_cases.h"
 #include "cli/case_progress.h"
-#include "cli/counted.h"
 #include "cli/reason_table.h"
 #include "fuzz/commands/commands.h"
 #include "fuzz/commands/run_options.h"
 #include "fuzz/inputs/case_stream.h"
 #include "io/output_file.h"
+#include "io/number_text.h"
 
 namespace flowcert::commands {
 

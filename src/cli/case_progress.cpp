@@ -14,7 +14,7 @@
 #include <system_error>
 #include <utility>
 
-#include "cli/counted.h"
+#include "io/number_text.h"
 
 namespace flowcert::cli {
 

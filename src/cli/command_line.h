@@ -22,6 +22,12 @@ namespace flowcert::cli {
 // its App before it adds commands, which then have it too.
 [[nodiscard]] std::shared_ptr<CLI::FormatterBase> help_formatter();
 
+// The group of commands that no overview has.
+inline constexpr char kSetUpGroup[] = "Set up a shell";
+
+// What the program can do, when it is asked for nothing: groups of commands with a line each, and what to begin with. At most 24 lines of 80 columns.
+[[nodiscard]] std::string overview(const CLI::App& app);
+
 // What is wrong with a command line that `app` has refused, with the nearest command or option and whose help to see.
 // `words` are all of its words but the program's name.
 [[nodiscard]] std::string complaint_about(const CLI::App& app, const CLI::ParseError& error,

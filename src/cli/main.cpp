@@ -19,7 +19,6 @@
 #include "cli/command.h"
 #include "cli/command_line.h"
 #include "cli/layer.h"
-#include "cli/overview.h"
 #include "flowcert/reproducibility.h"
 #include "fuzz/commands/commands.h"
 #include "io/diagnostic.h"

@@ -8,9 +8,9 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/command_line.h"
 #include "cli/completion_scripts.h"
 #include "cli/manual_page.h"
-#include "cli/overview.h"
 #include "flowcert/reproducibility.h"
 #include "io/number_text.h"
 #include "io/output_file.h"

@@ -20,7 +20,6 @@
 #include "cli/check_report.h"
 #include "cli/command.h"
 #include "cli/conformance_report.h"
-#include "cli/counted.h"
 #include "cli/layer.h"
 #include "cli/profile_report.h"
 #include "cli/reason_table.h"

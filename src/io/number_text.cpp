@@ -385,6 +385,10 @@ std::string with_commas(unsigned long long value) {
   return fmt::format(commas, "{:L}", value);
 }
 
+std::string counted(unsigned long long count, const std::string& what) {
+  return with_commas(count) + ' ' + what + (count == 1 ? "" : "s");
+}
+
 // ---- To doubles ----
 
 BeyondDoubles::BeyondDoubles()

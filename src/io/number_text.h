@@ -91,6 +91,8 @@ inline constexpr PointId kLargestId = 2147483646;
 
 // As people read them: "34,835".
 [[nodiscard]] std::string with_commas(unsigned long long value);
+// "1 case", "1,200 cases"
+[[nodiscard]] std::string counted(unsigned long long count, const std::string& what);
 
 // ---- To doubles ----
 // Exact positions and squared distances as the doubles nearest to them, for files that hold nothing else.
