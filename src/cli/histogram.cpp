@@ -68,37 +68,39 @@ double share_of_axis(double count, double top, bool is_logarithmic) {
   return is_logarithmic ? std::log(2 * count) / std::log(2 * top) : count / top;
 }
 
-namespace {
-
-// The columns that the numbers before a bar leave.
-std::size_t room_for_bars(const std::vector<Bin>& bins) {
-  std::size_t first = columns_of("from"), last = columns_of("to"), count = columns_of("count");
-  for (const Bin& bin : bins) {
-    first = std::max(first, with_commas(bin.first).size());
-    last = std::max(last, with_commas(bin.last).size());
-    count = std::max(count, with_commas(bin.count).size());
-  }
-  return std::min(kLongestBar, kLineWidth - (first + last + count + 8));  // two blanks before each column
-}
-
-}  // namespace
-
-void print_bars(const Histogram& histogram) {
-  print_wrapped(fmt::format("\n{}{}", histogram.title, histogram.is_logarithmic ? "; the bars are logarithmic" : ""),
-                2);
-  if (histogram.bins.empty()) {
+void print_bars(const std::string& title, const std::vector<BarLine>& lines, bool is_logarithmic, bool has_marks) {
+  print_wrapped(fmt::format("\n{}{}", title, is_logarithmic ? "; the bars are logarithmic" : ""), 2);
+  if (lines.empty()) {
     fmt::print("  none\n");
     return;
   }
-  Table table("rrrl", {"from", "to", "count"});
-  const auto top = static_cast<double>(largest_count(histogram.bins));
-  const std::size_t longest_bar = room_for_bars(histogram.bins);
-  for (const Bin& bin : histogram.bins) {
-    const double share = share_of_axis(static_cast<double>(bin.count), top, histogram.is_logarithmic);
-    const auto marks = static_cast<std::size_t>(std::ceil(static_cast<double>(longest_bar) * share));
-    table.row(with_commas(bin.first)).cell(with_commas(bin.last)).cell(bin.count).cell(std::string(marks, '#'));
+  std::size_t from = columns_of("from"), to = columns_of("to"), count = columns_of("count"), mark = 0, top = 0;
+  for (const BarLine& line : lines) {
+    from = std::max(from, line.from.size());
+    to = std::max(to, line.to.size());
+    count = std::max(count, with_commas(line.count).size());
+    mark = std::max(mark, line.mark.size());
+    top = std::max(top, line.count);
+  }
+  // Two blanks come before each column.
+  const std::size_t others = from + to + count + 8 + (has_marks ? mark + 2 : 0);
+  const auto longest = static_cast<double>(std::min(kLongestBar, kLineWidth - others));
+  Table table(has_marks ? "rrrll" : "rrrl", {"from", "to", "count"});
+  for (const BarLine& line : lines) {
+    const double share = share_of_axis(static_cast<double>(line.count), static_cast<double>(top), is_logarithmic);
+    table.row(line.from).cell(line.to).cell(line.count);
+    table.cell(std::string(static_cast<std::size_t>(std::ceil(longest * share)), '#'));
+    if (has_marks) table.cell(line.mark);
   }
   table.print();
+}
+
+void print_bars(const Histogram& histogram) {
+  std::vector<BarLine> lines;
+  for (const Bin& bin : histogram.bins) {
+    lines.push_back({with_commas(bin.first), with_commas(bin.last), bin.count, ""});
+  }
+  print_bars(histogram.title, lines, histogram.is_logarithmic, false);
 }
 
 }  // namespace flowcert::cli

@@ -43,7 +43,14 @@ struct Histogram {
 // can be seen.
 [[nodiscard]] double share_of_axis(double count, double top, bool is_logarithmic);
 
+struct BarLine {
+  std::string from, to;
+  std::size_t count = 0;
+  std::string mark;  // stands behind the bar
+};
+
 // A line for each bin, with its count and a bar.
+void print_bars(const std::string& title, const std::vector<BarLine>& lines, bool is_logarithmic, bool has_marks);
 void print_bars(const Histogram& histogram);
 
 }  // namespace flowcert::cli

@@ -5,8 +5,9 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <cstdio>
+#include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,68 +33,52 @@ struct LocateOptions {
   unsigned threads = 1;
 };
 
-class PlaceWriter {
- public:
-  PlaceWriter(const FlowComplex& complex, bool json) : complex_(complex), json_(json) {}
-
-  [[nodiscard]] std::string head() const {
-    if (json_) return header_fields("flowcert-locate", 1, complex_.points()).dump() + '\n';
-    return fmt::format("# {}\n# limit's index or kind, its contact set, nearest samples\n",
-                       made_by_text("flowcert-locate", 1, complex_.points()));
+Json json_of(const FlowComplex& complex, const FlowPlace& place) {
+  if (!place.limit) {
+    return {{"kind", "infinity"}, {"index", nullptr}, {"contact", nullptr}, {"nearest", place.nearest}};
   }
-  void append(const Point& x, std::string& text) const {
-    const FlowPlace place = complex_.locate(x);
-    if (json_) {
-      text += json_of(place).dump() + '\n';
-    } else {
-      append_line(place, text);
-    }
-  }
+  const StationaryIndex index = complex.stationary().index(*place.limit);
+  return {{"kind", index.is_critical() ? "critical" : "regular"},
+          {"index", index_field(index)},
+          {"contact", complex.stationary().contact(*place.limit)},
+          {"nearest", place.nearest}};
+}
 
- private:
-  [[nodiscard]] Json json_of(const FlowPlace& place) const {
-    const StationaryPoints& stationary = complex_.stationary();
-    if (!place.limit) {
-      return {{"kind", "infinity"}, {"index", nullptr}, {"contact", nullptr}, {"nearest", place.nearest}};
-    }
-    const StationaryIndex index = stationary.index(*place.limit);
-    return {{"kind", index.is_critical() ? "critical" : "regular"},
-            {"index", index_field(index)},
-            {"contact", stationary.contact(*place.limit)},
-            {"nearest", place.nearest}};
+void append_line(const FlowComplex& complex, const FlowPlace& place, std::string& text) {
+  auto out = std::back_inserter(text);
+  if (place.limit) {
+    const StationaryIndex index = complex.stationary().index(*place.limit);
+    fmt::format_to(out, "{}", index.face_dimension);
+    if (!index.is_critical()) fmt::format_to(out, "-{}", index.hull_dimension);
+    fmt::format_to(out, " {} ", fmt::join(complex.stationary().contact(*place.limit), ","));
+  } else {
+    fmt::format_to(out, "infinity - ");
   }
-  void append_line(const FlowPlace& place, std::string& text) const {
-    const StationaryPoints& stationary = complex_.stationary();
-    auto out = std::back_inserter(text);
-    if (place.limit) {
-      const StationaryIndex index = stationary.index(*place.limit);
-      fmt::format_to(out, "{}", index.face_dimension);
-      if (!index.is_critical()) fmt::format_to(out, "-{}", index.hull_dimension);
-      fmt::format_to(out, " {} ", fmt::join(stationary.contact(*place.limit), ","));
-    } else {
-      fmt::format_to(out, "infinity - ");
-    }
-    fmt::format_to(out, "{}\n", fmt::join(place.nearest, ","));
-  }
+  fmt::format_to(out, "{}\n", fmt::join(place.nearest, ","));
+}
 
-  const FlowComplex& complex_;
-  bool json_;
-};
-
-// Calls write(text) with the head and with every line, in order.
-template <class Write>
-void write_places(const FlowComplex& complex, const std::vector<Point>& positions, bool json, int stream,
-                  const Write& write) {
-  complex.make(FlowComplexPart::kLimits);
-  const PlaceWriter writer(complex, json);
-  ProgressLine progress("locating positions", stream);
-  if (!write(writer.head())) return;
+// A head, and a line for each position, in order.
+void write_places(const FlowComplex& complex, const std::vector<Point>& positions, bool json, ProgressLine& progress,
+                  std::ostream& out) {
+  out << (json ? header_fields("flowcert-locate", 1, complex.points()).dump()
+               : fmt::format("# {}\n# limit's index or kind, its contact set, nearest samples",
+                             made_by_text("flowcert-locate", 1, complex.points())))
+      << '\n';
+  if (!out.good()) return;
   const auto make = [&](std::size_t first, std::size_t last, std::string& text) {
-    for (std::size_t k = first; k < last; ++k) writer.append(positions[k], text);
+    for (std::size_t k = first; k < last; ++k) {
+      const FlowPlace place = complex.locate(positions[k]);
+      if (json) {
+        text += json_of(complex, place).dump() + '\n';
+      } else {
+        append_line(complex, place, text);
+      }
+    }
   };
   const auto take = [&](const std::string& text, std::size_t done) {
     progress(done, positions.size());
-    return write(text);
+    out << text;
+    return out.good();
   };
   io::write_in_order(positions.size(), io::kShortRecords, complex.threads(), make, take);
 }
@@ -113,20 +98,17 @@ void locate_all(const LocateOptions& options) {
   if (input.points.empty()) throw InvalidInput(display_name(options.input) + ": there are no points");
   const std::vector<Point> positions = read_points_aloud(options.positions).rows;
   const FlowComplex complex(input.points, complex_options(input, options.threads), part_progress());
-  if (options.output.empty() || options.output == kStandardStream) {
-    write_places(complex, positions, options.json, STDOUT_FILENO, [](const std::string& text) {
-      return std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-    });
-    return;
-  }
-  OutputFile file(options.output);
+  const bool is_streamed = options.output.empty() || options.output == kStandardStream;
+  std::optional<OutputFile> file;
+  if (!is_streamed) file.emplace(options.output);
   complex.make(FlowComplexPart::kLimits);
   const auto start = std::chrono::steady_clock::now();
-  write_places(complex, positions, options.json, -1, [&](const std::string& text) {
-    file.stream() << text;
-    return file.stream().good();
-  });
-  file.commit();
+  {
+    ProgressLine progress("locating positions", is_streamed ? STDOUT_FILENO : -1);
+    write_places(complex, positions, options.json, progress, is_streamed ? std::cout : file->stream());
+  }
+  if (is_streamed) return;
+  file->commit();
   print_summary(display_name(options.input), positions.size(), input,
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }

@@ -10,6 +10,7 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
@@ -70,41 +71,25 @@ class PartProgress {
       part_ = part;
     }
     (*line_)(done, total);
-    if (done == total) end();
-  }
-
- private:
-  // Erases the line from the screen.
-  void end() {
+    if (done < total) return;
     line_.reset();
     part_.reset();
   }
 
+ private:
   static std::string name_of(FlowComplexPart part) {
-    switch (part) {
-      case FlowComplexPart::kTriangulation:
-        return "Delaunay triangulation";
-      case FlowComplexPart::kDiagram:
-      case FlowComplexPart::kStationary:
-        return "critical points";
-      case FlowComplexPart::kUnstable:
-        return "unstable manifolds";
-      case FlowComplexPart::kStable:
-        return "stable manifolds";
-      case FlowComplexPart::kChains:
-        return "chain complex";
-      case FlowComplexPart::kPersistence:
-        return "persistence";
-      case FlowComplexPart::kLimits:
-        return "limits of all directions";
-      case FlowComplexPart::kVolumes:
-        return "volumes";
-      case FlowComplexPart::kUnstableSurfaces:
-        return "unstable sets of dimension 2";
-      case FlowComplexPart::kMergeTrees:
-        break;
-    }
-    return "merge trees";
+    constexpr std::array<const char*, kFlowComplexParts> kNames = {"Delaunay triangulation",
+                                                                   "critical points",
+                                                                   "critical points",
+                                                                   "unstable manifolds",
+                                                                   "stable manifolds",
+                                                                   "chain complex",
+                                                                   "persistence",
+                                                                   "limits of all directions",
+                                                                   "volumes",
+                                                                   "unstable sets of dimension 2",
+                                                                   "merge trees"};
+    return kNames.at(static_cast<std::size_t>(part));
   }
 
   std::string what_of_;

@@ -10,8 +10,8 @@
 
 #include "cli/automatic_threshold.h"
 #include "cli/command.h"
+#include "cli/histogram.h"
 #include "cli/progress.h"
-#include "cli/radius_bars.h"
 #include "cli/rough_number.h"
 #include "cli/table.h"
 #include "flowcert/reproducibility.h"
@@ -90,6 +90,21 @@ void print_thresholds(const SurfaceThresholds& thresholds, const morse::SaddleRa
   if (const auto& square = thresholds.squared_persistence_above) {
     print_row("persistence above", rough_root_text(*square), rough_root_text(*square / *spacing) + " x the spacing");
   }
+}
+
+// The bin that has the threshold is marked, or the nearest one if none has it.
+void print_radius_bars(const morse::SaddleRadii& radii, const std::optional<Rational>& squared_threshold) {
+  std::vector<BarLine> lines;
+  for (const HistogramBin& bin : radii.histogram()) {
+    lines.push_back({rough_text(bin.from), rough_text(bin.to), bin.count, ""});
+  }
+  if (squared_threshold && !lines.empty()) {
+    const Rational square = *squared_threshold / radii.squared_spacing().value();
+    const auto is_below = [&](const HistogramBin& bin) { return bin.to * bin.to <= square; };
+    const auto below = static_cast<std::size_t>(std::ranges::count_if(radii.histogram(), is_below));
+    lines[std::min(below, lines.size() - 1)].mark = "< " + rough_root_text(square);
+  }
+  print_bars("radii of the index-2 saddles, in multiples of the spacing", lines, true, true);
 }
 
 void print_table(const Surface& surface) {

@@ -32,12 +32,8 @@ struct ViewCommandOptions {
   std::string claim;
   CheckOptions check;
   bool is_strict = false;
-  bool has_cells = false;
   std::string pockets;
-  std::size_t most = ViewerOptions{}.most_of_an_index;
-  std::size_t most_cells = ViewerOptions{}.most_cells;
-  std::size_t most_surfaces = ViewerOptions{}.most_surfaces;
-  std::size_t most_pockets = ViewerOptions{}.most_pockets;
+  ViewerOptions content;
   unsigned threads = 1;
 };
 
@@ -125,15 +121,10 @@ int view(ViewCommandOptions options) {
   if (!options.pockets.empty()) {
     pockets.emplace(complex.merge_trees(), pocket_persistence(complex, options.pockets, "--pockets").square);
   }
-  ViewerOptions content = {.name = display_name(options.input),
-                           .atoms = input.file.atoms.empty() ? nullptr : &input.file.atoms,
-                           .most_of_an_index = options.most,
-                           .has_cells = options.has_cells,
-                           .most_cells = options.most_cells,
-                           .most_surfaces = options.most_surfaces,
-                           .pockets = pockets ? &*pockets : nullptr,
-                           .most_pockets = options.most_pockets,
-                           .claim = std::nullopt};
+  ViewerOptions& content = options.content;
+  content.name = display_name(options.input);
+  if (!input.file.atoms.empty()) content.atoms = &input.file.atoms;
+  if (pockets) content.pockets = &*pockets;
   int status = kRight;
   if (claim) {
     JudgedClaim judged = judged_claim(options, *claim, complex);
@@ -165,21 +156,21 @@ void add_view_command(CLI::App& app, int& status) {
     command->get_option(name)->needs(claim);
   }
   command
-      ->add_option("--most", options->most,
+      ->add_option("--most", options->content.most_of_an_index,
                    "If there are more critical points of an index from 1 on, keep so many pairs of dimension 0, and so "
                    "many others: the longest, with their points and what these lead to")
       ->check(CLI::Range(std::size_t{1}, kMost))
       ->capture_default_str();
   CLI::Option* cells = command->add_flag(
-      "--cells", options->has_cells,
+      "--cells", options->content.has_cells,
       "Also say how large stable sets are, and where all directions from saddles lead; the picked point's cell S3, or "
       "its surface U1, is drawn");
-  command->add_option("--most-cells", options->most_cells, "Draw at most so many cells S3, the largest")
+  command->add_option("--most-cells", options->content.most_cells, "Draw at most so many cells S3, the largest")
       ->check(CLI::Range(std::size_t{0}, kMost))
       ->capture_default_str()
       ->needs(cells);
   command
-      ->add_option("--most-unstable", options->most_surfaces,
+      ->add_option("--most-unstable", options->content.most_surfaces,
                    "Draw at most so many surfaces U1: of regular stationary points, and of the longest pairs")
       ->check(CLI::Range(std::size_t{0}, kMost))
       ->capture_default_str()
@@ -190,7 +181,7 @@ void add_view_command(CLI::App& app, int& status) {
                        "Also tell pockets, merged by this persistence as by pockets --persistence; the deepest is "
                        "picked at first, and that of the picked point is drawn with its mouths")
           ->type_name("X");
-  command->add_option("--most-pockets", options->most_pockets, "Have at most so many pockets, the deepest")
+  command->add_option("--most-pockets", options->content.most_pockets, "Have at most so many pockets, the deepest")
       ->check(CLI::Range(std::size_t{0}, kMost))
       ->capture_default_str()
       ->needs(pockets);
