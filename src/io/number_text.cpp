@@ -419,12 +419,17 @@ std::optional<StoredType> stored_type(char kind, std::uint64_t size) {
   return StoredType{kind, static_cast<std::size_t>(size)};
 }
 
-std::optional<double> stored_number(const char* bytes, StoredType type, bool is_big_endian) {
+std::uint64_t stored_bits(const char* bytes, std::size_t size, bool is_big_endian) {
   std::uint64_t bits = 0;
-  for (std::size_t k = 0; k < type.size; ++k) {
-    const std::size_t place = is_big_endian ? type.size - 1 - k : k;
+  for (std::size_t k = 0; k < size; ++k) {
+    const std::size_t place = is_big_endian ? size - 1 - k : k;
     bits |= std::uint64_t{static_cast<unsigned char>(bytes[k])} << (8 * place);
   }
+  return bits;
+}
+
+std::optional<double> stored_number(const char* bytes, StoredType type, bool is_big_endian) {
+  const std::uint64_t bits = stored_bits(bytes, type.size, is_big_endian);
   if (type == kFloat) return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
   if (type.kind == 'f') return std::bit_cast<double>(bits);
   const bool is_negative = type.kind == 'i' && (bits >> (8 * type.size - 1)) != 0;

@@ -135,6 +135,9 @@ inline constexpr StoredType kFloat = {'f', 4};
 // Nothing where there is no such type.
 [[nodiscard]] std::optional<StoredType> stored_type(char kind, std::uint64_t size);
 
+// At most 8 bytes as one number.
+[[nodiscard]] std::uint64_t stored_bits(const char* bytes, std::size_t size, bool is_big_endian);
+
 // The number at `bytes`, exactly. Nothing where no double has the value, which only large 64-bit integers lack.
 [[nodiscard]] std::optional<double> stored_number(const char* bytes, StoredType type, bool is_big_endian);
 

@@ -2,6 +2,7 @@
 #include "io/surface_selection.h"
 
 #include <algorithm>
+#include <numeric>
 #include <string_view>
 
 #include "geometry/floating_point.h"
