@@ -229,73 +229,39 @@ CheckReport check(const FlowComplex& complex, const Claim& claim, const CheckOpt
 }
 
 const char* verdict_text(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kConforms:
-      return "conforms";
-    case Verdict::kConformsWhereDetermined:
-      return "conforms where determined";
-    case Verdict::kPerturbed:
-      return "perturbed";
-    case Verdict::kFails:
-      break;
-  }
-  return "fails";
+  constexpr std::array kTexts = {"conforms", "conforms where determined", "perturbed", "fails"};  // as they are listed
+  return kTexts.at(static_cast<std::size_t>(verdict));
 }
 
 const char* reason_text(FindingReason reason) {
-  switch (reason) {
-    case FindingReason::kMalformed:
-      return "malformed";
-    case FindingReason::kNotCospherical:
-      return "not-cospherical";
-    case FindingReason::kBallNotEmpty:
-      return "ball-not-empty";
-    case FindingReason::kContactIncomplete:
-      return "contact-incomplete";
-    case FindingReason::kOutsideHull:
-      return "outside-hull";
-    case FindingReason::kCollisionAsCritical:
-      return "collision-as-critical";
-    case FindingReason::kWrongIndex:
-      return "wrong-index";
-    case FindingReason::kWrongPosition:
-      return "wrong-position";
-    case FindingReason::kRounding:
-      return "rounding";
-    case FindingReason::kMissing:
-      return "missing";
-    case FindingReason::kMissedByCluster:
-      return "missed-by-cluster";
-    case FindingReason::kClaimedTwice:
-      return "claimed-twice";
-    case FindingReason::kAmbiguous:
-      return "ambiguous";
-    case FindingReason::kWrongCounts:
-      return "wrong-counts";
-    case FindingReason::kWrongIncidence:
-      return "wrong-incidence";
-    case FindingReason::kWrongPolyline:
-      return "wrong-polyline";
-    case FindingReason::kWrongSurface:
-      return "wrong-surface";
-    case FindingReason::kWrongLambdaList:
-      return "wrong-lambda-list";
-    case FindingReason::kWrongConnections:
-      return "wrong-connections";
-    case FindingReason::kWrongVolume:
-      return "wrong-volume";
-    case FindingReason::kWrongUnstableSet:
-      return "wrong-unstable-set";
-    case FindingReason::kWrongPocket:
-      return "wrong-pocket";
-    case FindingReason::kSpanningPart:
-      return "spanning-part";
-    case FindingReason::kTieBreak:
-      return "tie-break";
-    case FindingReason::kSymbolicPerturbation:
-      break;
-  }
-  return "symbolic-perturbation";
+  constexpr std::array kTexts = {// as they are listed
+                                 "malformed",
+                                 "not-cospherical",
+                                 "ball-not-empty",
+                                 "contact-incomplete",
+                                 "outside-hull",
+                                 "collision-as-critical",
+                                 "wrong-index",
+                                 "wrong-position",
+                                 "rounding",
+                                 "missing",
+                                 "missed-by-cluster",
+                                 "claimed-twice",
+                                 "ambiguous",
+                                 "wrong-counts",
+                                 "wrong-incidence",
+                                 "wrong-polyline",
+                                 "wrong-surface",
+                                 "wrong-lambda-list",
+                                 "wrong-connections",
+                                 "wrong-volume",
+                                 "wrong-unstable-set",
+                                 "wrong-pocket",
+                                 "spanning-part",
+                                 "tie-break",
+                                 "symbolic-perturbation"};
+  static_assert(kTexts.size() == static_cast<std::size_t>(FindingReason::kSymbolicPerturbation) + 1);
+  return kTexts.at(static_cast<std::size_t>(reason));
 }
 
 }  // namespace flowcert

@@ -3,11 +3,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
-#include <set>
+#include <span>
 #include <string>
 
 #include "certify/check_run.h"
+#include "certify/claimed_rows.h"
 #include "certify/finding_words.h"
 #include "certify/piece_comparison.h"
 #include "flowcert/reproducibility.h"
@@ -138,9 +138,9 @@ std::string complaint_about_directions(const PointSet& points, const ClaimedPoin
   return complaint.empty() ? "" : "of the shares: " + complaint;
 }
 
-template <typename Piece>
-void add_names(const std::vector<Piece>& pieces, std::vector<std::vector<PointId>>& lists) {
-  for (const Piece& piece : pieces) lists.emplace_back(names_in(piece).begin(), names_in(piece).end());
+// Calls of this collect lists of rows.
+auto adding_to(std::vector<std::vector<PointId>>& lists) {
+  return [&lists](std::span<const PointId> rows) { lists.emplace_back(rows.begin(), rows.end()); };
 }
 
 // What is wrong with the ids of a stable set. The ids of a walk may repeat.
@@ -150,15 +150,7 @@ std::string complaint_about_stable(const PointSet& points, const ClaimedPoint& p
   if (point.stable && point.stable->walk) {
     for (const PointId id : *point.stable->walk) lists.push_back({id});
   }
-  if (point.skeleton) {
-    for (const auto& segment : point.skeleton->segments) {
-      lists.emplace_back(segment.samples.begin(), segment.samples.end());
-      if (segment.front_contact) lists.push_back(*segment.front_contact);
-      if (segment.back_contact) lists.push_back(*segment.back_contact);
-    }
-    add_names(point.skeleton->intervals, lists);
-    add_names(point.skeleton->sectors, lists);
-  }
+  if (point.skeleton) for_each_rows(*point.skeleton, adding_to(lists));
   if (point.skeleton && point.orbits) {
     for (const auto& chain : *point.orbits) {
       const bool exist =
@@ -177,10 +169,7 @@ bool is_zero_corner(const Corner<ClaimedPosition>& corner) {
 std::string complaint_about_unstable(const PointSet& points, const ClaimedPoint& point) {
   if (!point.u1) return "";
   std::vector<std::vector<PointId>> lists;
-  add_names(point.u1->traces, lists);
-  add_names(point.u1->runs, lists);
-  add_names(point.u1->sheets, lists);
-  add_names(point.u1->segments, lists);
+  for_each_rows(*point.u1, adding_to(lists));
   const std::string complaint = complaint_about_contacts(points, lists, "an unstable set");
   if (!complaint.empty()) return complaint;
   bool has_zero = false;
@@ -199,35 +188,11 @@ std::string complaint_about(const PointSet& points, const ClaimedPoint& point) {
   return complaint;
 }
 
-// Contact sets of a claimed pocket.
-std::vector<std::vector<PointId>> contacts_in(const ClaimedPocket& pocket) {
-  std::vector<std::vector<PointId>> contacts = pocket.maxima;
-  const auto add = [&contacts](const std::vector<ClaimedWitness>& witnesses) {
-    for (const ClaimedWitness& one : witnesses) contacts.push_back(one.contact);
-  };
-  if (pocket.peaks) add(*pocket.peaks);
-  if (pocket.cell) {
-    for (const ClaimedCellPart& part : *pocket.cell) contacts.push_back(part.contact);
-  }
-  if (pocket.mouths) {
-    for (const ClaimedMouth& mouth : *pocket.mouths) contacts.push_back(mouth.at.contact);
-  }
-  if (pocket.widest_path) add(pocket.widest_path->witnesses);
-  return contacts;
-}
-
 void check_form_of_pockets(CheckRun& run) {
   const ClaimedPockets& pockets = *run.claim.pockets;
-  std::vector<std::vector<PointId>> contacts = pockets.outside.value_or(std::vector<std::vector<PointId>>{});
-  for (const ClaimedPocket& pocket : pockets.pockets)
-    std::ranges::move(contacts_in(pocket), std::back_inserter(contacts));
-  for (const auto* whole : {&pockets.pore_limiting_radius, &pockets.largest_cavity_radius}) {
-    if (!*whole || !(*whole)->radius) continue;
-    for (const ClaimedWitness& one : (*whole)->radius->witnesses) contacts.push_back(one.contact);
-  }
-  for (const std::vector<PointId>& contact : contacts) {
+  for_each_rows(pockets, [&](const std::vector<PointId>& contact) {
     const std::string complaint = complaint_about_ids(run.points, contact);
-    if (complaint.empty()) continue;
+    if (complaint.empty()) return;
     run.report.findings.push_back({.level = 1,
                                    .reason = FindingReason::kMalformed,
                                    .clause = kClaimClause,
@@ -235,7 +200,7 @@ void check_form_of_pockets(CheckRun& run) {
                                    .contact = contact,
                                    .claimed = "a contact set in a pocket",
                                    .truth = complaint});
-  }
+  });
 }
 
 // A point of an index that is not judged. The claim's own header excludes it, or only who judges does.

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "certify/claimed_geometry.h"
+#include "certify/claimed_rows.h"
 #include "certify/matching.h"
 
 namespace flowcert::certify {
@@ -25,15 +26,6 @@ struct Comparison {
   bool is_rounding = true;                          // each strange piece is near a true one, and right of none
   bool is_beyond = true;                            // each strange piece may lie beyond a regular back
 };
-
-// The polygon or the samples of a piece.
-[[nodiscard]] const auto& names_in(const auto& piece) {
-  if constexpr (requires { piece.polygon; }) {
-    return piece.polygon;
-  } else {
-    return piece.samples;
-  }
-}
 
 // Calls use(corner) for all corners of an unstable set.
 template <typename X, typename Use>

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "certify/claim_content.h"
+#include "certify/claimed_rows.h"
 #include "certify/claims/claim_formats.h"
 #include "certify/layer.h"
 #include "flowcert/claim.h"
@@ -28,87 +29,6 @@ void require_ids(std::span<const PointId> ids, const PointSet& points, const Lin
   }
 }
 
-// A piece is a segment, an interval, a sector or a sheet.
-template <class Piece>
-void require_rows_of_pieces(const std::vector<Piece>& pieces, const PointSet& points, const LinePlace& place) {
-  for (const Piece& piece : pieces) {
-    if constexpr (requires { piece.polygon; }) {
-      require_ids(piece.polygon, points, place);
-    } else {
-      require_ids(piece.samples, points, place);
-    }
-  }
-}
-
-void require_rows_of_skeleton(const StableSet<ClaimedPosition>& skeleton, const PointSet& points,
-                              const LinePlace& place) {
-  for (const BackwardSegment<ClaimedPosition>& segment : skeleton.segments) {
-    require_ids(segment.samples, points, place);
-    if (segment.front_contact) require_ids(*segment.front_contact, points, place);
-    if (segment.back_contact) require_ids(*segment.back_contact, points, place);
-  }
-  require_rows_of_pieces(skeleton.intervals, points, place);
-  require_rows_of_pieces(skeleton.sectors, points, place);
-}
-
-void require_rows_of_stable(const ClaimedPoint& point, const PointSet& points, const LinePlace& place) {
-  if (point.stable) {
-    if (point.stable->walk) require_ids(*point.stable->walk, points, place);
-    if (point.stable->boundary) {
-      for (const auto& contact : *point.stable->boundary) require_ids(contact, points, place);
-    }
-  }
-  if (point.skeleton) require_rows_of_skeleton(*point.skeleton, points, place);
-}
-
-void require_rows_of_directions(const ClaimedPoint& point, const PointSet& points, const LinePlace& place) {
-  if (point.lambda) {
-    for (const ClaimedDirection& one : point.lambda->directions) require_ids(one.limit.contact, points, place);
-    for (const ClaimedTarget& limit : point.lambda->arcs) require_ids(limit.contact, points, place);
-  }
-  if (point.connections) {
-    for (const ClaimedConnection& one : *point.connections) require_ids(one.to.contact, points, place);
-  }
-  if (point.shares) {
-    for (const ClaimedShare& share : *point.shares) require_ids(std::array{share.sample}, points, place);
-  }
-}
-
-void require_rows_of_unstable(const ClaimedPoint& point, const PointSet& points, const LinePlace& place) {
-  if (!point.u1) return;
-  require_rows_of_pieces(point.u1->traces, points, place);
-  require_rows_of_pieces(point.u1->runs, points, place);
-  require_rows_of_pieces(point.u1->sheets, points, place);
-  require_rows_of_pieces(point.u1->segments, points, place);
-}
-
-void require_rows_of_witnesses(const std::vector<ClaimedWitness>& witnesses, const PointSet& points,
-                               const LinePlace& place) {
-  for (const ClaimedWitness& witness : witnesses) require_ids(witness.contact, points, place);
-}
-
-void require_rows_of_pocket(const ClaimedPocket& pocket, const PointSet& points, const LinePlace& place) {
-  for (const auto& maximum : pocket.maxima) require_ids(maximum, points, place);
-  if (pocket.peaks) require_rows_of_witnesses(*pocket.peaks, points, place);
-  if (pocket.cell) {
-    for (const ClaimedCellPart& part : *pocket.cell) require_ids(part.contact, points, place);
-  }
-  if (pocket.mouths) {
-    for (const ClaimedMouth& mouth : *pocket.mouths) require_ids(mouth.at.contact, points, place);
-  }
-  if (pocket.widest_path) require_rows_of_witnesses(pocket.widest_path->witnesses, points, place);
-}
-
-void require_rows_of_pockets(const ClaimedPockets& pockets, const PointSet& points, const LinePlace& place) {
-  for (const ClaimedPocket& pocket : pockets.pockets) require_rows_of_pocket(pocket, points, place);
-  if (pockets.outside) {
-    for (const auto& maximum : *pockets.outside) require_ids(maximum, points, place);
-  }
-  for (const auto* whole : {&pockets.pore_limiting_radius, &pockets.largest_cavity_radius}) {
-    if (*whole && (*whole)->radius) require_rows_of_witnesses((*whole)->radius->witnesses, points, place);
-  }
-}
-
 }  // namespace
 
 Claim certify::claim_in(std::string_view content, const std::string& name, bool unlimited) {
@@ -126,21 +46,38 @@ Claim read_claim_from(std::string_view bytes, const std::string& name, bool unli
 }
 
 void require_rows(const Claim& claim, const PointSet& points, const std::string& name) {
+  const auto required_at = [&](std::size_t line) {
+    return [&points, place = LinePlace{.file = name, .line = line}](std::span<const PointId> ids) {
+      require_ids(ids, points, place);
+    };
+  };
   if (claim.infinity) {
-    for (const auto* part : {&claim.infinity->bounded, &claim.infinity->unbounded}) {
-      require_rows_of_skeleton(*part, points, {.file = name, .line = claim.infinity->line});
-    }
+    for_each_rows(claim.infinity->bounded, required_at(claim.infinity->line));
+    for_each_rows(claim.infinity->unbounded, required_at(claim.infinity->line));
   }
-  if (claim.pockets) require_rows_of_pockets(*claim.pockets, points, {.file = name, .line = claim.pockets->line});
+  if (claim.pockets) for_each_rows(*claim.pockets, required_at(claim.pockets->line));
   for (const ClaimedPoint& point : claim.points) {
-    const LinePlace place{.file = name, .line = point.line};
-    require_ids(point.contact, points, place);
-    if (point.samples) require_ids(*point.samples, points, place);
-    require_rows_of_stable(point, points, place);
-    require_rows_of_directions(point, points, place);
-    require_rows_of_unstable(point, points, place);
-    if (!point.successors) continue;
-    for (const ClaimedTarget& target : *point.successors) require_ids(target.contact, points, place);
+    const auto require = required_at(point.line);
+    const auto require_limits = [&require](const std::vector<ClaimedTarget>& limits) {
+      std::ranges::for_each(limits, require, &ClaimedTarget::contact);
+    };
+    require(point.contact);
+    if (point.samples) require(*point.samples);
+    if (point.stable && point.stable->walk) require(*point.stable->walk);
+    if (point.stable && point.stable->boundary) std::ranges::for_each(*point.stable->boundary, require);
+    if (point.skeleton) for_each_rows(*point.skeleton, require);
+    if (point.lambda) {
+      for (const ClaimedDirection& one : point.lambda->directions) require(one.limit.contact);
+      require_limits(point.lambda->arcs);
+    }
+    if (point.connections) {
+      for (const ClaimedConnection& one : *point.connections) require(one.to.contact);
+    }
+    if (point.shares) {
+      for (const ClaimedShare& share : *point.shares) require({&share.sample, 1});
+    }
+    if (point.u1) for_each_rows(*point.u1, require);
+    if (point.successors) require_limits(*point.successors);
   }
 }
 
