@@ -6,7 +6,6 @@
 
 #include "certify/check_run.h"
 #include "certify/claimed_geometry.h"
-#include "certify/finding_sentence.h"
 #include "certify/finding_words.h"
 #include "certify/layer.h"
 #include "certify/truth.h"
@@ -129,8 +128,7 @@ std::size_t CheckRun::true_side(std::size_t k, std::size_t claimed_side) const {
 
 const std::array<double, 3>& CheckRun::center_in_doubles(std::size_t record) {
   for (std::size_t k = centers_in_doubles_.size(); k < truth.size(); ++k) {
-    const RationalPoint center = truth.sphere(k).center;
-    centers_in_doubles_.push_back({as_double(center[0]), as_double(center[1]), as_double(center[2])});
+    centers_in_doubles_.push_back(as_doubles(truth.sphere(k).center));
   }
   return centers_in_doubles_[record];
 }
@@ -234,8 +232,8 @@ const char* verdict_text(Verdict verdict) {
 }
 
 const char* reason_text(FindingReason reason) {
-  constexpr std::array kTexts = {// as they are listed
-                                 "malformed",
+  // As they are listed.
+  constexpr std::array kTexts = {"malformed",
                                  "not-cospherical",
                                  "ball-not-empty",
                                  "contact-incomplete",

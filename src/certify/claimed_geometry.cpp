@@ -86,6 +86,10 @@ double as_double(const Rational& value) {
   return std::numeric_limits<double>::max() * (value > 0 ? 1 : -1);
 }
 
+std::array<double, 3> as_doubles(const RationalPoint& position) {
+  return {as_double(position[0]), as_double(position[1]), as_double(position[2])};
+}
+
 namespace {
 
 // Avoids the difference of rationals, which costs most: exact values must be equal, and decimals must round to the
@@ -177,6 +181,12 @@ ValueMatch match_position(const ClaimedPosition& claimed, const RationalPoint& t
   }
   if (off_exactly == 0 && off_by_decimals <= scale.squared_allowance()) return ValueMatch::kWithin;
   return wrong(is_rounding(off_exactly + off_by_decimals, 0, scale.squared_rounding()));
+}
+
+ValueMatch match_double(const std::optional<ClaimedNumber>& claimed, const Rational& truth, const ValueScale& scale) {
+  if (claimed.has_value() != nearest_double(truth).has_value()) return ValueMatch::kOff;
+  const ClaimedNumber zero{0, true};
+  return claimed ? match_position({*claimed, zero, zero}, {truth, 0, 0}, scale) : ValueMatch::kEqual;
 }
 
 ValueMatch match_vector(const ClaimedPosition& claimed, const RationalPoint& truth, double tolerance) {

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -73,6 +75,10 @@ class ValueScale {
 [[nodiscard]] ValueMatch match_squared_distance(const ClaimedNumber& claimed, const Rational& squared_radius,
                                                 const ValueScale& scale);
 
+// A double that is claimed beside an exact coordinate. There must be none exactly where no double is near.
+[[nodiscard]] ValueMatch match_double(const std::optional<ClaimedNumber>& claimed, const Rational& truth,
+                                      const ValueScale& scale);
+
 // A volume in decimals may be off by the tolerance times its true value (FC-CLAIM-15).
 [[nodiscard]] ValueMatch match_volume(const ClaimedNumber& claimed, const Rational& truth, double tolerance);
 
@@ -82,6 +88,7 @@ class ValueScale {
 
 // The nearest double, or the largest one of its sign where none is near.
 [[nodiscard]] double as_double(const Rational& value);
+[[nodiscard]] std::array<double, 3> as_doubles(const RationalPoint& position);
 
 // Whether two values have the same nearest double. A decimal for which this holds is as right as a double can be.
 [[nodiscard]] bool rounds_alike(const Rational& a, const Rational& b);

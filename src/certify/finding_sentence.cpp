@@ -1,5 +1,3 @@
-#include "certify/finding_sentence.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>

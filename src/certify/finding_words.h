@@ -44,6 +44,11 @@ namespace flowcert::certify {
   return rounding_or(otherwise, match == ValueMatch::kRounding);
 }
 
+// A plain sentence for people who do not know the clauses: what is wrong, and whether it is a bug or a convention that
+// can be met otherwise. Every reason has one. It names points by their rows, and says nothing that the finding does not
+// know.
+[[nodiscard]] std::string finding_sentence(const Finding& finding, const Truth& truth);
+
 // The finding to show first: the first one about a point at the lowest level, else the very first. A wrong total
 // mostly follows from a wrong point. There must be a finding. What is wrong must come before variations,
 // and both must be sorted by level.

@@ -161,21 +161,14 @@ class LambdaLists {
   // The doubles beside exact coordinates. There is none exactly where no double is near.
   ValueMatch matched_doubles(const ClaimedDirection& claimed, const LambdaList::Direction& truth,
                              const ValueScale& scale) {
-    const ClaimedNumber zero{0, true};
+    const auto& doubles = *claimed.rounded_exit;
     if (claimed.is_vector) {
-      ClaimedPosition all = {zero, zero, zero};
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (!(*claimed.rounded_exit)[axis]) return ValueMatch::kOff;
-        all[axis] = *(*claimed.rounded_exit)[axis];
-      }
-      const bool is_zero = std::ranges::all_of(all, [](const ClaimedNumber& x) { return x.value == 0; });
-      return is_zero ? ValueMatch::kOff : match_vector(all, truth.exit, run_.options.tolerance);
+      if (!doubles[0] || !doubles[1] || !doubles[2]) return ValueMatch::kOff;
+      return match_vector({*doubles[0], *doubles[1], *doubles[2]}, truth.exit, run_.options.tolerance);
     }
     ValueMatch worst = ValueMatch::kEqual;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::optional<ClaimedNumber>& one = (*claimed.rounded_exit)[axis];
-      if (one.has_value() != nearest_double(truth.exit[axis]).has_value()) return ValueMatch::kOff;
-      if (one) worst = std::max(worst, match_position({*one, zero, zero}, {truth.exit[axis], 0, 0}, scale));
+      worst = std::max(worst, match_double(doubles[axis], truth.exit[axis], scale));
     }
     return worst;
   }

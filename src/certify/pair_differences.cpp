@@ -35,12 +35,16 @@ struct PairGroup {
   std::size_t count = 0;
   bool needs_partner = true;
 
-  [[nodiscard]] bool is_exact() const { return pair.birth.is_exact && (!pair.death || pair.death->is_exact); }
+  [[nodiscard]] bool is_exact() const { return is_exact_pair(pair); }
 };
 
-ClaimedPair as_claimed(const ListedPair& pair) {
-  ClaimedPair exact{pair.dimension, {pair.birth, true}, std::nullopt};
-  if (pair.death) exact.death = ClaimedNumber{*pair.death, true};
+std::vector<ClaimedPair> as_claimed(const std::vector<ListedPair>& pairs) {
+  std::vector<ClaimedPair> exact;
+  exact.reserve(pairs.size());
+  for (const ListedPair& pair : pairs) {
+    exact.push_back({pair.dimension, {pair.birth, true}, std::nullopt});
+    if (pair.death) exact.back().death = ClaimedNumber{*pair.death, true};
+  }
   return exact;
 }
 
@@ -341,35 +345,23 @@ std::string sentence_of(const PairDifference& difference) {
   return "This " + name + " has another birth or death. This is a bug.";
 }
 
-namespace {
-
-template <typename Pair, typename Value>
-std::array<std::size_t, kPairDimensions> counts_of_long(const std::vector<Pair>& pairs, const Value& value) {
+std::array<std::size_t, kPairDimensions> pair_counts(const std::vector<ClaimedPair>& pairs) {
   std::array<std::size_t, kPairDimensions> counts{};
-  for (const Pair& pair : pairs) {
-    if (pair.death && value(*pair.death) == value(pair.birth)) continue;
+  for (const ClaimedPair& pair : pairs) {
+    if (pair.death && pair.death->value == pair.birth.value) continue;
     ++counts.at(static_cast<std::size_t>(pair.dimension));
   }
   return counts;
 }
 
-}  // namespace
-
-std::array<std::size_t, kPairDimensions> pair_counts(const std::vector<ClaimedPair>& pairs) {
-  return counts_of_long(pairs, [](const ClaimedNumber& number) -> const Rational& { return number.value; });
-}
-
 std::array<std::size_t, kPairDimensions> pair_counts(const std::vector<ListedPair>& pairs) {
-  return counts_of_long(pairs, [](const Rational& number) -> const Rational& { return number; });
+  return pair_counts(as_claimed(pairs));
 }
 
 std::vector<PairDifference> pair_differences(const std::vector<ClaimedPair>& claimed,
                                              const std::vector<ListedPair>& truth, double tolerance) {
   const geometry::IeeeDoubles ieee;
-  std::vector<ClaimedPair> exact;
-  exact.reserve(truth.size());
-  for (const ListedPair& pair : truth) exact.push_back(as_claimed(pair));
-  const Groups a = groups_of(claimed), b = groups_of(exact);
+  const Groups a = groups_of(claimed), b = groups_of(as_claimed(truth));
   const LeftOver left = left_over(a, b, tolerance);
   if (left.claimed.empty() && left.truth.empty()) return {};
   const LeftOver rounded = left_over(a, b, std::max(tolerance, kRoundingPart));

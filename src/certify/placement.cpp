@@ -58,15 +58,6 @@ class PositionGrid {
 
 constexpr double kLargest = std::numeric_limits<double>::max();
 
-double clamped_double(const Rational& value) {
-  const std::optional<double> nearest = nearest_double(value);
-  return nearest ? *nearest : value > 0 ? kLargest : -kLargest;
-}
-
-std::array<double, 3> rounded(const RationalPoint& x) {
-  return {clamped_double(x[0]), clamped_double(x[1]), clamped_double(x[2])};
-}
-
 std::size_t PositionGrid::Hash::operator()(const Cell& cell) const {
   std::uint64_t hash = 0;
   for (const std::int64_t part : cell) {
@@ -83,7 +74,7 @@ PositionGrid::PositionGrid(Truth& truth, double tolerance) {
   double low = kLargest, high = -kLargest, reach = 0;
   for (std::size_t i = 0; i < truth.size(); ++i) {
     spheres_.push_back(truth.sphere(i));
-    reaches_.push_back({rounded(spheres_.back().center), part * rounding_length(spheres_.back())});
+    reaches_.push_back({as_doubles(spheres_.back().center), part * rounding_length(spheres_.back())});
     for (const double x : reaches_.back().center) {
       low = std::min(low, x);
       high = std::max(high, x);
@@ -107,7 +98,7 @@ PositionGrid::Cell PositionGrid::cell_of(const std::array<double, 3>& position) 
 }
 
 std::vector<std::size_t> PositionGrid::near(const ClaimedPosition& position) const {
-  const std::array<double, 3> at = rounded(values_of(position));
+  const std::array<double, 3> at = as_doubles(values_of(position));
   const Cell middle = cell_of(at);
   std::vector<std::size_t> found;
   for (int k = 0; k < 27; ++k) {

@@ -128,11 +128,7 @@ std::vector<WrongValue> wrong_doubles(CheckRun& run, const ClaimedPoint& point, 
   for (std::size_t axis = 0; point.rounded_center && axis < 3; ++axis) {
     const std::optional<ClaimedNumber>& claimed = (*point.rounded_center)[axis];
     const Rational& truth = sphere.center[axis];
-    ValueMatch match = ValueMatch::kOff;
-    if (claimed.has_value() == nearest_double(truth).has_value()) {
-      const ClaimedNumber zero{0, true};
-      match = claimed ? match_position({*claimed, zero, zero}, {truth, 0, 0}, scale) : ValueMatch::kEqual;
-    }
+    const ValueMatch match = match_double(claimed, truth, scale);
     if (!is_wrong(match)) continue;
     wrong.push_back({match, "center_double with " + double_text(claimed), "the coordinate is " + number_text(truth)});
   }
@@ -153,7 +149,7 @@ std::vector<WrongValue> wrong_doubles(CheckRun& run, const ClaimedPoint& point, 
 // The stationary point of the claimed index or kind that is nearest to a claimed position. Which one is the nearest is
 // found in doubles, because it only helps to read the finding.
 std::optional<std::size_t> nearest_of_index(CheckRun& run, const ClaimedPoint& point) {
-  const RationalPoint at = values_of(*point.center);
+  const std::array<double, 3> at = as_doubles(values_of(*point.center));
   std::optional<std::size_t> nearest;
   double least = 0;
   for (std::size_t record = 0; record < run.truth.size(); ++record) {
@@ -163,8 +159,7 @@ std::optional<std::size_t> nearest_of_index(CheckRun& run, const ClaimedPoint& p
                           index.is_critical() != point.hull_dimension.has_value();
     if (!is_meant) continue;
     const std::array<double, 3>& center = run.center_in_doubles(record);
-    const double off =
-        std::hypot(as_double(at[0]) - center[0], as_double(at[1]) - center[1], as_double(at[2]) - center[2]);
+    const double off = std::hypot(at[0] - center[0], at[1] - center[1], at[2] - center[2]);
     if (nearest && !(off < least)) continue;
     nearest = record;
     least = off;

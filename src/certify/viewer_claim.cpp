@@ -35,8 +35,7 @@ std::vector<std::size_t> ordinals_of(const PointSet& points, const std::vector<P
 class FarOutside {
  public:
   explicit FarOutside(const ExactSphere& sphere)
-      : center_{as_double(sphere.center[0]), as_double(sphere.center[1]), as_double(sphere.center[2])},
-        squared_radius_(as_double(sphere.squared_radius)) {}
+      : center_(as_doubles(sphere.center)), squared_radius_(as_double(sphere.squared_radius)) {}
 
   [[nodiscard]] bool operator()(const Point& p) const {
     const double x = p.x - center_[0], y = p.y - center_[1], z = p.z - center_[2];

@@ -27,6 +27,7 @@ std::string without_blanks(std::string text) {
   return text;
 }
 
+// By number in StableManifolds.
 std::vector<PairEnds> pairs_of_saddles(const FlowComplex& complex) {
   const auto& counts = complex.stationary().critical_counts();
   const std::size_t first = counts[0] + counts[1];
@@ -43,18 +44,6 @@ std::vector<PairEnds> pairs_of_saddles(const FlowComplex& complex) {
 }
 
 }  // namespace
-
-// The pairs of all critical points of index 2, by number in StableManifolds, in the order of their lengths.
-class SurfaceSelection::Lengths {
- public:
-  explicit Lengths(const FlowComplex& complex)
-      : order_(length_order(complex.persistence().squared_distances(), pairs_of_saddles(complex))) {}
-
-  [[nodiscard]] const ValueOrder& order() const { return order_; }
-
- private:
-  ValueOrder order_;
-};
 
 SurfaceSelection::SurfaceSelection(const std::vector<std::string>& expressions) {
   const geometry::IeeeDoubles ieee;
@@ -116,8 +105,7 @@ SelectedSets SurfaceSelection::select(const FlowComplex& complex, const SaddleRa
     for (std::size_t k = radii.count_below(*radius); k < radii.size(); ++k) is_chosen[radii.number(k)] = false;
   }
   if (!persistence_above_.empty() || largest_gaps_) {
-    const Lengths lengths(complex);
-    const ValueOrder& order = lengths.order();
+    const ValueOrder order = length_order(complex.persistence().squared_distances(), pairs_of_saddles(complex));
     for (const LengthBound& bound : persistence_above_) {
       const auto [value, automatic] =
           threshold_of(bound, order, radii.squared_spacing(), length_rounding(complex.points()));

@@ -47,8 +47,6 @@ class SurfaceSelection {
   [[nodiscard]] bool is_empty() const { return radii_below_.empty() && persistence_above_.empty() && !largest_gaps_; }
 
  private:
-  class Lengths;
-
   // option: the ordinal of the expression, from 1, for messages.
   void add(const std::string& expression, std::size_t option);
   [[nodiscard]] static std::optional<Rational> squared_radius_of(const LengthBound& bound,

@@ -1,12 +1,11 @@
 // The plain sentences below findings: the words of the examples, and one for every reason, which the glossary knows.
-#include "certify/finding_sentence.h"
-
 #include <gtest/gtest.h>
 
 #include <memory>
 #include <set>
 #include <string>
 
+#include "certify/finding_words.h"
 #include "certify/pair_differences.h"
 #include "cli/glossary.h"
 #include "tests/cites.h"

@@ -5,10 +5,12 @@
 // nests deeper than a claim can, has a key twice in one object, or has a number out of a double's range.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <initializer_list>
 #include <memory>
 #include <memory_resource>
 #include <optional>
@@ -108,6 +110,10 @@ class ExchangeValue {
     return document_->text(at_);
   }
   [[nodiscard]] bool is_true() const { return document_->text(at_) == "true"; }
+  // words: the texts, as a message lists them.
+  void expect_one_of(std::initializer_list<std::string_view> texts, const char* words) const {
+    if (std::ranges::find(texts, text()) == texts.end()) reject(words);
+  }
   // The number as it is written.
   [[nodiscard]] std::string_view number_text() const {
     if (!is(JsonKind::kNumber)) reject("a number");
@@ -192,6 +198,26 @@ inline std::size_t count_of(const ExchangeValue& value) { return written_count(v
 
 inline std::vector<PointId> ids_of(const ExchangeValue& value) {
   return list_of(value, [](const ExchangeValue& id) { return claimed_id(id.number_text(), id.place()); });
+}
+
+inline std::vector<PointId> contact_of(const ExchangeValue& value) {
+  std::vector<PointId> contact = ids_of(value);
+  if (contact.empty()) value.reject("a contact set: it is empty");
+  return contact;
+}
+
+inline int index_of(const ExchangeValue& value) { return claimed_index(value.number_text(), value.place()); }
+
+// An index, or the pair of a kind. to: a ClaimedPoint or a ClaimedCellPart.
+void read_index(const ExchangeValue& value, auto& to) {
+  if (value.is(JsonKind::kArray)) {
+    value.expect_size(2);
+    to.index = index_of(value[0]);
+    to.hull_dimension = index_of(value[1]);
+    if (to.index < 1 || to.index >= *to.hull_dimension) value.reject("a kind: [1,2], [2,3], [1,3]");
+  } else {
+    to.index = index_of(value);
+  }
 }
 
 // ---- Headers ----

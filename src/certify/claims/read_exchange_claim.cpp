@@ -151,8 +151,6 @@ ClaimedSurface surface_of(const ExchangeValue& value) {
 
 constexpr std::string_view kFormatName = "flowcert-stationary-points";
 
-int index_of(const ExchangeValue& value) { return claimed_index(value.number_text(), value.place()); }
-
 // The header.
 
 ClaimedIndices indices_of(const ExchangeValue& value) {
@@ -177,12 +175,10 @@ Claim claim_of_header(const ExchangeValue& header) {
   if (const auto value = header.find("critical")) claim.critical_counts = critical_counts_of(*value);
   if (const auto value = header.find("regular_stationary")) claim.regular_counts = regular_counts_of(*value);
   if (const auto value = header.find("centers")) {
-    constexpr std::array kForms = {"exact", "double", "none"};
-    if (std::ranges::find(kForms, value->text()) == kForms.end()) value->reject("'exact', 'double' or 'none'");
+    value->expect_one_of({"exact", "double", "none"}, "'exact', 'double' or 'none'");
   }
   if (const auto value = header.find("volumes")) {
-    constexpr std::array kForms = {"exact", "shares", "double"};
-    if (std::ranges::find(kForms, value->text()) == kForms.end()) value->reject("'exact', 'shares' or 'double'");
+    value->expect_one_of({"exact", "shares", "double"}, "'exact', 'shares' or 'double'");
   }
   if (const auto value = header.find("morse_smale")) claim.morse_smale = bool_of(*value);
   if (const auto value = header.find("hull_volume")) claim.hull_volume = distance_of(*value);
@@ -191,16 +187,8 @@ Claim claim_of_header(const ExchangeValue& header) {
 
 // Records.
 
-void read_index(const ExchangeValue& record, ClaimedPoint& point) {
-  const ExchangeValue index = record.get("index");
-  if (index.is(JsonKind::kArray)) {
-    index.expect_size(2);
-    point.index = index_of(index[0]);
-    point.hull_dimension = index_of(index[1]);
-    if (point.index < 1 || point.index >= *point.hull_dimension) index.reject("a kind: [1,2], [2,3], [1,3]");
-  } else {
-    point.index = index_of(index);
-  }
+void read_index_and_kind(const ExchangeValue& record, ClaimedPoint& point) {
+  read_index(record.get("index"), point);
   const auto kind = record.find("kind");
   const char* const expected = point.hull_dimension ? "regular" : "critical";
   if (kind && kind->text() != expected) kind->reject(in_quotes(expected) + ", which the index says");
@@ -258,15 +246,18 @@ ClaimedSegment flow_segment_of(const ExchangeValue& value) {
 
 ClaimedPolyline polyline_of(const ExchangeValue& value) { return list_of(value, flow_segment_of); }
 
-// Finds a key that only critical points of one index may have.
+// Finds a key that only some points may have. points: these, in words.
+std::optional<ExchangeValue> find_if(const ExchangeValue& record, const char* key, bool may_have,
+                                     const std::string& points) {
+  const auto value = record.find(key);
+  if (value && !may_have) record.place().reject("a key of " + points + " only: " + in_quotes(key));
+  return value;
+}
+
 std::optional<ExchangeValue> find_of_index(const ExchangeValue& record, const ClaimedPoint& point, const char* key,
                                            int index) {
-  const auto value = record.find(key);
-  if (value && (point.hull_dimension || point.index != index)) {
-    record.place().reject(std::string("a key of critical points of index ") + std::to_string(index) +
-                          " only: " + in_quotes(key));
-  }
-  return value;
+  const bool is_other = point.hull_dimension || point.index != index;
+  return find_if(record, key, !is_other, "critical points of index " + std::to_string(index));
 }
 
 void read_flow(const ExchangeValue& record, ClaimedPoint& point) {
@@ -307,17 +298,12 @@ ClaimedConnection connection_of(const ExchangeValue& value) {
   return {limit_of(value.get("to")), count_of(value.get("orbits")), count_of(value.get("families"))};
 }
 
-// Reads keys that only critical points of index 1 and 2 and regular stationary points may have.
 void read_directions(const ExchangeValue& record, ClaimedPoint& point) {
-  for (const char* key : {"lambda", "connections"}) {
-    const auto value = record.find(key);
-    if (!value) continue;
-    if (!point.hull_dimension && point.index != 1 && point.index != 2) {
-      record.place().reject("a key of critical points of index 1 and 2 and of regular stationary points only: " +
-                            in_quotes(key));
-    }
-    if (key == std::string_view("lambda")) point.lambda = lambda_of(*value);
-    if (key == std::string_view("connections")) point.connections = list_of(*value, connection_of);
+  const bool may_have = point.hull_dimension || point.index == 1 || point.index == 2;
+  const char* const points = "critical points of index 1 and 2 and of regular stationary points";
+  if (const auto value = find_if(record, "lambda", may_have, points)) point.lambda = lambda_of(*value);
+  if (const auto value = find_if(record, "connections", may_have, points)) {
+    point.connections = list_of(*value, connection_of);
   }
 }
 
@@ -337,14 +323,13 @@ void read_volume(const ExchangeValue& record, ClaimedPoint& point) {
   if (exact) point.volume = distance_of(*exact);
   if (near && !near->is_null()) (exact ? point.rounded_volume : point.volume) = distance_of(*near);
   point.has_rounded_volume = exact && near;
-  const auto shares = record.find("shares"), near_shares = record.find("shares_double");
-  if (!shares && !near_shares) return;
-  if (!point.hull_dimension && point.index < 2) {
-    record.place().reject("a key of critical points of index 2 and 3 and of regular stationary points only: " +
-                          std::string(shares ? "'shares'" : "'shares_double'"));
-  }
+  const bool may_have = point.hull_dimension || point.index >= 2;
+  const char* const points = "critical points of index 2 and 3 and of regular stationary points";
+  const auto shares = find_if(record, "shares", may_have, points),
+             near_shares = find_if(record, "shares_double", may_have, points);
   if (shares && near_shares) record.place().reject("both 'shares' and 'shares_double'");
-  point.shares = shares ? list_of(*shares, share_of) : list_of(*near_shares, rounded_share_of);
+  if (shares) point.shares = list_of(*shares, share_of);
+  if (near_shares) point.shares = list_of(*near_shares, rounded_share_of);
 }
 
 // Pieces are filled one part after the other: GCC 12 destroys corners twice where a later part of a braced list throws.
@@ -370,11 +355,9 @@ Crossing<ClaimedPosition> ray_of(const ExchangeValue& value) {
   return ray;
 }
 
-// Reads a key that only points of index 1, and regular ones whose kind begins with 1, may have.
 void read_unstable(const ExchangeValue& record, ClaimedPoint& point) {
-  const auto u1 = record.find("u1");
+  const auto u1 = find_if(record, "u1", point.index == 1, "points of the index or kind 1, 1-2 and 1-3");
   if (!u1) return;
-  if (point.index != 1) record.place().reject("a key of points of the index or kind 1, 1-2 and 1-3 only: 'u1'");
   point.u1 = {.vertices = list_of(u1->get("vertices"), position_of),
               .traces = list_of(u1->get("traces"), edge_part_of),
               .runs = list_of(u1->get("runs"), edge_part_of),
@@ -382,23 +365,17 @@ void read_unstable(const ExchangeValue& record, ClaimedPoint& point) {
               .segments = list_of(u1->get("segments"), ray_of)};
 }
 
-// Reads keys that only critical points of index 2 and regular stationary points may have. Maxima may have a skeleton.
+// Maxima may have a skeleton, too.
 void read_stable(const ExchangeValue& record, ClaimedPoint& point) {
-  for (const char* key : {"stable", "skeleton", "surface"}) {
-    const auto value = record.find(key);
-    if (!value) continue;
-    const bool is_skeleton = key == std::string_view("skeleton");
-    if (!point.hull_dimension && point.index != 2 && !(is_skeleton && point.index == 3)) {
-      record.place().reject("a key of critical points of index 2 " + std::string(is_skeleton ? "and 3 " : "") +
-                            "and of regular stationary points only: " + in_quotes(key));
-    }
-    if (key == std::string_view("stable")) point.stable = stable_of(*value);
-    if (is_skeleton) {
-      point.skeleton = pieces_of(*value, false);
-      point.orbits = orbits_of(*value, point.skeleton->segments.size());
-    }
-    if (key == std::string_view("surface")) point.surface = surface_of(*value);
+  const bool may_have = point.hull_dimension || point.index == 2;
+  const char* const points = "critical points of index 2 and of regular stationary points";
+  if (const auto value = find_if(record, "stable", may_have, points)) point.stable = stable_of(*value);
+  if (const auto value = find_if(record, "skeleton", may_have || point.index == 3,
+                                 "critical points of index 2 and 3 and of regular stationary points")) {
+    point.skeleton = pieces_of(*value, false);
+    point.orbits = orbits_of(*value, point.skeleton->segments.size());
   }
+  if (const auto value = find_if(record, "surface", may_have, points)) point.surface = surface_of(*value);
   if (point.hull_dimension && point.stable && point.stable->boundary) {
     record.place().reject("a boundary, which only critical points have");
   }
@@ -407,11 +384,8 @@ void read_stable(const ExchangeValue& record, ClaimedPoint& point) {
 ClaimedPoint point_of(const ExchangeValue& record) {
   ClaimedPoint point;
   point.line = record.place().line;
-  read_index(record, point);
-  if (const auto contact = record.find("contact")) {
-    point.contact = ids_of(*contact);
-    if (point.contact.empty()) contact->reject("a contact set: it is empty");
-  }
+  read_index_and_kind(record, point);
+  if (const auto contact = record.find("contact")) point.contact = contact_of(*contact);
   read_sphere(record, point);
   if (point.contact.empty() && !point.center) record.place().reject("neither 'contact' nor 'center'");
   read_flow(record, point);

@@ -38,12 +38,6 @@ bool recognises_pockets(std::string_view bytes) {
 
 // ---- Values ----
 
-std::vector<PointId> contact_of(const ExchangeValue& value) {
-  std::vector<PointId> contact = ids_of(value);
-  if (contact.empty()) value.reject("a contact set: it is empty");
-  return contact;
-}
-
 ClaimedDouble double_of(const ExchangeValue& value) {
   return value.is_null() ? ClaimedDouble{} : ClaimedDouble{distance_of(value)};
 }
@@ -81,16 +75,7 @@ ClaimedWhole whole_of(const ExchangeValue& value, const char* witnesses) {
 
 ClaimedCellPart cell_part_of(const ExchangeValue& value) {
   ClaimedCellPart part;
-  const auto index_of = [](const ExchangeValue& one) { return claimed_index(one.number_text(), one.place()); };
-  const ExchangeValue index = value.get("index");
-  if (index.is(JsonKind::kArray)) {
-    index.expect_size(2);
-    part.index = index_of(index[0]);
-    part.hull_dimension = index_of(index[1]);
-    if (part.index < 1 || part.index >= *part.hull_dimension) index.reject("a kind: [1,2], [2,3], [1,3]");
-  } else {
-    part.index = index_of(index);
-  }
+  read_index(value.get("index"), part);
   part.contact = contact_of(value.get("contact"));
   return part;
 }
@@ -140,8 +125,7 @@ class PocketReader {
   }
 
   [[nodiscard]] std::string passage_of(const ExchangeValue& value) const {
-    constexpr std::array kPassages = {"cavity", "pocket", "channel"};
-    if (std::ranges::find(kPassages, value.text()) == kPassages.end()) value.reject("cavity, pocket or channel");
+    value.expect_one_of({"cavity", "pocket", "channel"}, "cavity, pocket or channel");
     if (!has_probe_) value.reject("there without a probe");
     return std::string(value.text());
   }
@@ -159,9 +143,7 @@ void read_header(const ExchangeValue& object, Claim& claim, ClaimedPockets& pock
   read_input_fields(object, claim);
   if (const auto value = object.find("critical")) pockets.critical_counts = critical_counts_of(*value);
   if (const auto value = object.find("regular_stationary")) pockets.regular_counts = regular_counts_of(*value);
-  if (const auto value = object.find("volumes"); value && value->text() != "double" && value->text() != "exact") {
-    value->reject("'double' or 'exact'");
-  }
+  if (const auto value = object.find("volumes")) value->expect_one_of({"double", "exact"}, "'double' or 'exact'");
 }
 
 ClaimedPockets pockets_of(const ExchangeValue& object, Claim& claim) {
