@@ -6,8 +6,8 @@ namespace {
 constexpr std::uint32_t kNotFlowed = 0xffffffffu;
 }  // namespace
 
-RoundedStretches::Stretch RoundedStretches::flowed_from(CellIndex cluster) {
-  Stretch stretch{.first = points_.size()};
+RoundedStretches::PointRange RoundedStretches::flowed_from(CellIndex cluster) {
+  PointRange stretch{.first = points_.size()};
   Location at{Place::at_vertex(cluster), kNoPoint};
   points_.push_back(flow_.rounded(at));
   while (true) {
@@ -25,7 +25,7 @@ RoundedStretches::Stretch RoundedStretches::flowed_from(CellIndex cluster) {
   return stretch;
 }
 
-const RoundedStretches::Stretch& RoundedStretches::stretch_from(CellIndex cluster) {
+const RoundedStretches::PointRange& RoundedStretches::stretch_from(CellIndex cluster) {
   if (stretch_of_.empty()) stretch_of_.assign(cells_, kNotFlowed);
   if (stretch_of_[cluster] == kNotFlowed) {
     stretches_.push_back(flowed_from(cluster));
@@ -36,7 +36,7 @@ const RoundedStretches::Stretch& RoundedStretches::stretch_from(CellIndex cluste
 
 void RoundedStretches::append_orbit(CellIndex cluster, std::vector<RoundedSphere>& points) {
   for (CellIndex at = cluster; at != kNoCell;) {
-    const Stretch& stretch = stretch_from(at);
+    const PointRange& stretch = stretch_from(at);
     const auto first = points_.begin() + static_cast<std::ptrdiff_t>(stretch.first);
     points.insert(points.end(), first, first + static_cast<std::ptrdiff_t>(stretch.count));
     at = stretch.next;

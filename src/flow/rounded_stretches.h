@@ -1,4 +1,4 @@
-// The flow from each Voronoi vertex to the next one, as points in doubles.
+// The stretches of the flow, as points in doubles.
 //
 // Guarantees: each coordinate and each squared distance is the double nearest to the exact one (FlowOperator). What
 // follows a Voronoi vertex is flowed once, whoever asks. Not for two threads at once.
@@ -23,18 +23,18 @@ class RoundedStretches {
   [[nodiscard]] CellIndex last_vertex(CellIndex cluster);
 
  private:
-  struct Stretch {
+  struct PointRange {
     std::size_t first = 0, count = 0;  // of points_; the Voronoi vertex that it leads to is not among them
     CellIndex next = kNoCell;
   };
-  [[nodiscard]] Stretch flowed_from(CellIndex cluster);
+  [[nodiscard]] PointRange flowed_from(CellIndex cluster);
   // The reference holds until the next call.
-  [[nodiscard]] const Stretch& stretch_from(CellIndex cluster);
+  [[nodiscard]] const PointRange& stretch_from(CellIndex cluster);
 
   FlowOperator& flow_;
   std::size_t cells_;
   std::vector<RoundedSphere> points_;
-  std::vector<Stretch> stretches_;
+  std::vector<PointRange> stretches_;
   std::vector<std::uint32_t> stretch_of_;  // by cluster
 };
 

@@ -113,11 +113,11 @@ class FacetWalk {
   static void append(FacetRegion& region, const RegionCorner& corner) {
     if (region.corners.empty() || region.corners.back() != corner) region.corners.push_back(corner);
   }
-  // The items from one ray that separates to the next one, both included.
-  static std::pair<std::size_t, std::size_t> stretch(const std::vector<SideItem>& items, std::size_t from) {
+  // The place of the next ray that separates.
+  static std::size_t next_ray(const std::vector<SideItem>& items, std::size_t from) {
     std::size_t to = from + 1;
     while (!items[to].separates) ++to;
-    return {from, to};
+    return to;
   }
 
   [[nodiscard]] std::vector<FacetRegion> regions_between_rays() const {
@@ -131,12 +131,10 @@ class FacetWalk {
     std::size_t far_at = 0, near_at = 0;
     for (const Limit limit : far_.limits) {
       FacetRegion region{limit, {}};
-      const auto [far_from, far_to] = stretch(far_.items, far_at);
-      for (std::size_t i = far_from; i <= far_to; ++i) append(region, far_.items[i].corner);
-      far_at = far_to;
-      const auto [near_from, near_to] = stretch(near_.items, near_at);
-      for (std::size_t i = near_to + 1; i > near_from; --i) append(region, near_.items[i - 1].corner);
-      near_at = near_to;
+      const std::size_t far_to = next_ray(far_.items, far_at), near_to = next_ray(near_.items, near_at);
+      for (std::size_t i = far_at; i <= far_to; ++i) append(region, far_.items[i].corner);
+      for (std::size_t i = near_to + 1; i > near_at; --i) append(region, near_.items[i - 1].corner);
+      far_at = far_to, near_at = near_to;
       if (region.corners.size() > 1 && region.corners.back() == region.corners.front()) region.corners.pop_back();
       regions.push_back(std::move(region));
     }
