@@ -155,6 +155,12 @@ const FlowStep& ForwardWalk::step_of(CellIndex cluster) {
   return *step;
 }
 
+const FlowStep& ForwardWalk::step_of(const Location& point) {
+  const auto [known, is_new] = steps_.try_emplace(point.point);
+  if (is_new) known->second = flow_.step(point);
+  return known->second;
+}
+
 // The end of the edge beyond which the centre of its polygon lies, or at which; nothing if it is inside the edge.
 std::optional<int> ForwardWalk::centre_beyond(PolygonRef polygon) const {
   for (std::size_t k = 0; k < 2; ++k) {
@@ -168,9 +174,7 @@ std::optional<int> ForwardWalk::centre_beyond(PolygonRef polygon) const {
 int ForwardWalk::side_of(PolygonRef polygon, const TraceEnd& end) {
   if (const auto beyond = centre_beyond(polygon)) return *beyond == 0 ? 1 : -1;
   if (end.kind != TraceEnd::Kind::kPoint) return end.is_end(0) ? -1 : 1;
-  const auto [known, is_new] = steps_.try_emplace(end.at.point);
-  if (is_new) known->second = flow_.step(end.at);
-  const FlowStep& step = known->second;
+  const FlowStep& step = step_of(end.at);
   if (step.stationary) return 0;
   const CellIndex to = step.end.place.kind == Place::Kind::kVertex ? step.end.place.vertex : kNoCell;
   return to == diagram_.end(polygon, 1) ? 1 : -1;
@@ -193,12 +197,7 @@ ForwardWalk::Exit ForwardWalk::exit_of(const FacetSides& facet, const Location& 
 
 // At the ends of the near side, rays only touch the facet. A right edge there lies on such a ray.
 ForwardWalk::Exit ForwardWalk::exit_of_end(const FacetSides& facet, std::size_t piece, const TraceEnd& end) {
-  if (end.kind == TraceEnd::Kind::kPoint) {
-    const auto known = steps_.find(end.at.point);
-    const FlowStep step = known != steps_.end() ? known->second : flow_.step(end.at);
-    steps_.try_emplace(end.at.point, step);
-    return exit_of(facet, end.at, step);
-  }
+  if (end.kind == TraceEnd::Kind::kPoint) return exit_of(facet, end.at, step_of(end.at));
   const std::size_t n = facet.size();
   const PieceRun near = facet.near();
   const bool is_last = end.is_end(1) == facet.is_forward(piece);  // the end in the ring's order

@@ -99,6 +99,7 @@ class ForwardWalk {
   [[nodiscard]] const FacetSides& facet(FacetName name, CellIndex hint);
   [[nodiscard]] Edge& edge(PolygonRef polygon);
   [[nodiscard]] const FlowStep& step_of(CellIndex cluster);
+  [[nodiscard]] const FlowStep& step_of(const Location& point);
   [[nodiscard]] std::optional<int> centre_beyond(PolygonRef polygon) const;
   [[nodiscard]] int side_of(PolygonRef polygon, const TraceEnd& end);
   [[nodiscard]] Exit exit_of(const FacetSides& facet, const Location& from, const FlowStep& step);

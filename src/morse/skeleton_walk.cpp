@@ -129,11 +129,6 @@ FrontNumber SkeletonWalk::front_of(const Source& source) {
   return walk_.at_infinity(direction_of(faces_.diagram(), source.at), source.at.polygon.cell);
 }
 
-void SkeletonWalk::record_interval(FrontNumber front, PolygonRef polygon, FrontNumber back, bool back_is_stationary) {
-  found_.intervals.push_back(
-      {{recorder_.contact(Place::on_edge(polygon)), corner(front), corner(back)}, back_is_stationary});
-}
-
 // One interval may lead to a Voronoi vertex that adds segments and more intervals.
 void SkeletonWalk::record_intervals() {
   while (!sources_of_intervals_.empty()) {
@@ -149,7 +144,8 @@ void SkeletonWalk::record_intervals() {
         back_is_stationary ? walk_.at_center(faces_.diagram().corners(polygon), polygon) : walk_.at_vertex(other);
     if (!back_is_stationary) push_vertex(other, back);
     record_sectors({polygon, far == 1 ? front : back, far == 1 ? back : front});
-    record_interval(front, polygon, back, back_is_stationary);
+    found_.intervals.push_back(
+        {{recorder_.contact(Place::on_edge(polygon)), corner(front), corner(back)}, back_is_stationary});
     follow();
   }
 }
@@ -189,21 +185,21 @@ void SkeletonWalk::record_unbounded_facet(const UnboundedFacet& unbounded) {
   }
 }
 
-void SkeletonWalk::sort_found() {
+StableSet<> SkeletonWalk::recorded() {
+  record_intervals();
   std::ranges::sort(found_.segments, {}, [](const BackwardSegment<>& x) { return std::tie(x.samples, x.front); });
   std::ranges::sort(found_.intervals, {}, [](const BackwardInterval<>& x) { return std::tie(x.polygon, x.front); });
   std::ranges::sort(found_.sectors, {}, [](const Region<>& x) { return std::tie(x.samples, x.corners); });
+  StableSet<> set = std::move(found_);
+  clear();
+  return set;
 }
 
 StableSet<> SkeletonWalk::set(std::size_t record) {
   clear();
   is_recorded_ = true;
   begin(record);
-  record_intervals();
-  sort_found();
-  StableSet<> set = std::move(found_);
-  clear();
-  return set;
+  return recorded();
 }
 
 StableSet<> SkeletonWalk::set_of_infinity() {
@@ -213,11 +209,7 @@ StableSet<> SkeletonWalk::set_of_infinity() {
   for (const UnboundedFacet& facet : unbounded.facets) record_unbounded_facet(facet);
   for (const EdgeEnd& end : unbounded.edges) sources_of_intervals_.push_back({kNoCell, end});
   follow();
-  record_intervals();
-  sort_found();
-  StableSet<> set = std::move(found_);
-  clear();
-  return set;
+  return recorded();
 }
 
 // Only sets with intervals make anything exact.

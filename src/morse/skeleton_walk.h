@@ -90,13 +90,13 @@ class SkeletonWalk {
   [[nodiscard]] RoundedSegments rounded_trace();
   void sort_by_exact_fronts(RoundedSegments& rounded);
   void record_segment(const Task& task, const BackwardWalk::Back& back);
-  void record_interval(FrontNumber front, PolygonRef polygon, FrontNumber back, bool back_is_stationary);
   void record_intervals();
   void record_unbounded_facet(const UnboundedFacet& facet);
   void record_sectors(const Arc& arc);
   // Adds the arcs through which the sector's rays enter its facet.
   void record_sector(FacetName facet, const SectorParts& parts, std::vector<Arc>& arcs);
-  void sort_found();
+  // What is left to record of the set, and then all of it, sorted.
+  [[nodiscard]] StableSet<> recorded();
   [[nodiscard]] Corner<> corner(FrontNumber front) {
     if (walk_.is_at_infinity(front)) return {walk_.direction(front), true};
     return {flow_->exact(walk_.location(front))};
