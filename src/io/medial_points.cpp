@@ -9,7 +9,7 @@
 #include "geometry/rational_point.h"
 #include "io/coordinate_rounding.h"
 #include "io/layer.h"
-#include "morse/length_threshold.h"
+#include "morse/log_histogram.h"
 #include "morse/saddle_radii.h"
 
 namespace flowcert {

@@ -9,7 +9,7 @@
 #include "io/coordinate_rounding.h"
 #include "io/line_reader.h"
 #include "io/number_text.h"
-#include "morse/length_threshold.h"
+#include "morse/log_histogram.h"
 #include "morse/saddle_radii.h"
 
 namespace flowcert {

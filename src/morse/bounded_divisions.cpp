@@ -94,7 +94,7 @@ BoundedNumber BoundedDivisions::crossing(const DivisionPoint& point) const {
   if (from.kind == Kind::kVertex) {
     r = bounded_vertex(BoundedPair(e, d, between(v0, point.other)), d);
   } else if (from.kind == Kind::kCrossing) {
-    const int turn = turn_of_same({from.facet.v0, from.facet.v1, from.apex}, {v0, point.facet.v1, point.far_apex});
+    const int turn = turn_of_same(from.samples(), {v0, point.facet.v1, point.far_apex});
     // Polygons with more than three samples are left to exact numbers.
     if (turn == 0) return {};
     r = parameters_[point.from];

@@ -8,10 +8,6 @@ namespace {
 
 using Kind = DivisionPoint::Kind;
 
-std::array<VertexIndex, 3> own_samples(const DivisionPoint& crossing) {
-  return {crossing.facet.v0, crossing.facet.v1, crossing.apex};
-}
-
 }  // namespace
 
 Vector3<Rational> ExactDivisions::at(VertexIndex v) const { return exact_vector(diagram_.point(v)); }
@@ -27,7 +23,7 @@ Rational ExactDivisions::crossing(const DivisionPoint& point) {
     r = far.num / far.den;
   } else if (from.kind == Kind::kCrossing) {
     r = parameters_.at(point.from) *
-        parameter_ratio<Rational>(sample, own_samples(from), {point.facet.v0, point.facet.v1, point.far_apex});
+        parameter_ratio<Rational>(sample, from.samples(), {point.facet.v0, point.facet.v1, point.far_apex});
   }
   const auto near = crossed_parameter(ApexPair<Rational>(e, d, at(point.apex) - p0), r);
   return near.num / near.den;

@@ -29,16 +29,12 @@ struct FlowLimits::Parts {
       : diagram(voronoi),
         stationary(list),
         edges(progress ? edges_of(voronoi) : 0),
-        partition(voronoi, list, options, progress_of_edges(progress)) {}
+        partition(voronoi, list, options, progress, edges + list.size()) {}
 
   [[nodiscard]] static std::size_t edges_of(const VoronoiDiagram& voronoi) {
     std::size_t count = 0;
     for_each_polygon(voronoi, [&count](PolygonRef) { ++count; });
     return count;
-  }
-  [[nodiscard]] LimitPartition::Progress progress_of_edges(const Progress& progress) const {
-    if (!progress) return {};
-    return [this, &progress](std::size_t divided) { progress(divided, edges + stationary.size()); };
   }
   void make_lists(const Progress& progress);
   void turn_by_names(std::size_t record, std::vector<Division>& list) const;
@@ -47,8 +43,10 @@ struct FlowLimits::Parts {
     return std::span(divisions).subspan(first[i], first[i + 1] - first[i]);
   }
 
-  // Both are for who holds the mutex.
+  // The first and the last are for who holds the mutex.
   [[nodiscard]] std::size_t first_direction(std::size_t i);
+  template <class List>
+  [[nodiscard]] List list_of(std::size_t i, const auto& position_of);
   [[nodiscard]] DivisionPositions& positions() {
     if (!made_positions) made_positions.emplace(diagram, partition);
     return *made_positions;
@@ -134,28 +132,28 @@ std::optional<std::size_t> limit_of(const Division& division) {
   return division.limit == kInfinityLimit ? std::nullopt : std::optional<std::size_t>(division.limit);
 }
 
-// The entries with positions by `position_of`, from the one with the place `first` among the directions.
-template <class List, class PositionOf>
-List list_of(std::span<const Division> entries, const LimitPartition& partition, std::size_t first,
-             const PositionOf& position_of) {
+}  // namespace
+
+// The list with positions by `position_of(point, is_vector)`.
+template <class List>
+List FlowLimits::Parts::list_of(std::size_t i, const auto& position_of) {
+  const std::scoped_lock lock(mutex);
+  const auto first = static_cast<std::ptrdiff_t>(first_direction(i));
   List list;
-  for (const Division& division : entries) {
+  for (const Division& division : entries(i)) {
     if (division.is_arc()) {
       list.arcs.push_back(limit_of(division));
       continue;
     }
     const bool is_vector = partition.point(division.point).kind == DivisionPoint::Kind::kEnd;
-    list.directions.push_back({limit_of(division), position_of(division.point), is_vector});
+    list.directions.push_back({limit_of(division), position_of(division.point, is_vector), is_vector});
   }
   if (first > 0) {
-    std::rotate(list.directions.begin(), list.directions.begin() + static_cast<std::ptrdiff_t>(first),
-                list.directions.end());
-    std::rotate(list.arcs.begin(), list.arcs.begin() + static_cast<std::ptrdiff_t>(first), list.arcs.end());
+    std::ranges::rotate(list.directions, list.directions.begin() + first);
+    std::ranges::rotate(list.arcs, list.arcs.begin() + first);
   }
   return list;
 }
-
-}  // namespace
 
 // Among the directions of a cycle, the one whose exit is the least. Other lists begin with their first one.
 std::size_t FlowLimits::Parts::first_direction(std::size_t i) {
@@ -169,23 +167,16 @@ std::size_t FlowLimits::Parts::first_direction(std::size_t i) {
 
 LambdaList FlowLimits::list(std::size_t i) const {
   const geometry::IeeeDoubles ieee;
-  Parts& all = *parts_;
-  const std::scoped_lock lock(all.mutex);
-  const std::size_t first = all.first_direction(i);
-  return list_of<LambdaList>(all.entries(i), all.partition, first, [&](PointOfDivision point) {
-    const bool is_vector = all.partition.point(point).kind == DivisionPoint::Kind::kEnd;
-    RationalPoint position = all.positions().exact(point);
+  return parts_->list_of<LambdaList>(i, [this](PointOfDivision point, bool is_vector) {
+    RationalPoint position = parts_->positions().exact(point);
     return is_vector ? as_direction(position) : position;
   });
 }
 
 RoundedLambdaList FlowLimits::rounded_list(std::size_t i) const {
   const geometry::IeeeDoubles ieee;
-  Parts& all = *parts_;
-  const std::scoped_lock lock(all.mutex);
-  const std::size_t first = all.first_direction(i);
-  return list_of<RoundedLambdaList>(all.entries(i), all.partition, first,
-                                    [&](PointOfDivision point) { return all.positions().rounded(point); });
+  return parts_->list_of<RoundedLambdaList>(
+      i, [this](PointOfDivision point, bool) { return parts_->positions().rounded(point); });
 }
 
 std::size_t FlowLimits::point_count() const { return parts_->partition.point_count(); }

@@ -13,9 +13,7 @@
 #include "geometry/floating_point.h"
 #include "geometry/rational_point.h"
 #include "morse/bounded_divisions.h"
-#include "morse/first_exit.h"
 #include "morse/limit_partition.h"
-#include "morse/neighborhoods.h"
 #include "morse/polygon_turn.h"
 #include "morse/record_finder.h"
 
@@ -34,6 +32,92 @@ using SampleTree = index::rtree<SpatialEntry, index::quadratic<16>>;
 constexpr BoundedNumber kHalf{0.5, 0};
 
 SpatialPoint spatial(const Point& p) { return {p.x, p.y, p.z}; }
+
+// A Delaunay neighbour, and a cell that has both samples.
+struct Neighbor {
+  VertexIndex vertex;
+  CellIndex cell;
+};
+
+// The Delaunay neighbours of each sample, side by side in memory. Cospherical samples may be neighbours by one
+// triangulation and not by another.
+class Neighborhoods {
+ public:
+  explicit Neighborhoods(const VoronoiDiagram& diagram) : first_(diagram.delaunay().points.size() + 1, 0) {
+    struct Ordered {
+      VertexIndex from;
+      Neighbor to;
+    };
+    std::vector<Ordered> all;
+    const CompactDelaunay& delaunay = diagram.delaunay();
+    for (CellIndex cell = 0; cell < delaunay.finite_count; ++cell) {
+      for (const VertexIndex v : delaunay.vertices(cell)) {
+        for (const VertexIndex w : delaunay.vertices(cell)) {
+          if (v != w) all.push_back({v, {w, cell}});
+        }
+      }
+    }
+    const auto key = [](const Ordered& one) { return std::pair(one.from, one.to.vertex); };
+    std::ranges::sort(all, {}, key);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (i > 0 && key(all[i - 1]) == key(all[i])) continue;
+      ++first_[all[i].from + 1];
+      neighbors_.push_back(all[i].to);
+    }
+    for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+  }
+
+  [[nodiscard]] std::span<const Neighbor> of(VertexIndex v) const {
+    return std::span(neighbors_).subspan(first_[v], first_[v + 1] - first_[v]);
+  }
+
+ private:
+  std::vector<std::uint32_t> first_;
+  std::vector<Neighbor> neighbors_;
+};
+
+// ---- Through which of several planes a ray leaves a convex set first ----
+
+// A plane that a ray may leave a convex set through: at the parameter room / speed, if the speed is positive.
+struct Wall {
+  BoundedNumber room, speed;
+};
+
+// The wall that the ray meets first, and at which parameter. The bounds prove both.
+struct Exit {
+  std::size_t wall;
+  BoundedNumber parameter;
+};
+enum class ExitKind : std::uint8_t { kThroughWall, kNowhere, kOpen };
+
+// The ray starts on the inner side of all walls that it comes nearer to. So a wall that it does not come nearer to
+// passes the same comparison, whatever room it has.
+ExitKind first_exit(std::span<const Wall> walls, Exit& exit) {
+  double most = 0;
+  std::size_t best = walls.size();
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    const double speed = walls[k].speed.value.high();
+    if (!(speed > 0)) continue;
+    const double rate = speed / walls[k].room.value.high();
+    if (best < walls.size() && !(rate > most)) continue;
+    most = rate, best = k;
+  }
+  if (best == walls.size()) {
+    const bool is_sure = std::ranges::all_of(
+        walls, [](const Wall& wall) { return geometry::decided_sign(wall.speed) == Sign::kNegative; });
+    return is_sure ? ExitKind::kNowhere : ExitKind::kOpen;
+  }
+  const Wall& first = walls[best];
+  if (geometry::decided_sign(first.speed) != Sign::kPositive) return ExitKind::kOpen;
+  if (geometry::decided_sign(first.room) != Sign::kPositive) return ExitKind::kOpen;
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    if (k == best) continue;
+    const BoundedNumber lead = walls[k].room * first.speed - first.room * walls[k].speed;
+    if (geometry::decided_sign(lead) != Sign::kPositive) return ExitKind::kOpen;
+  }
+  exit = {best, first.room / first.speed};
+  return ExitKind::kThroughWall;
+}
 
 }  // namespace
 
@@ -178,7 +262,7 @@ Limit FlowLocator::Parts::limit_on_edge(FacetName facet, const RingPiece& piece,
     const DivisionPoint& point = map->partition.point(number);
     BoundedNumber there{0, 0};
     if (point.kind == DivisionPoint::Kind::kCrossing) {
-      const int turn = turn_of_same({point.facet.v0, point.facet.v1, point.apex}, samples);
+      const int turn = turn_of_same(point.samples(), samples);
       if (turn == 0) return std::nullopt;
       there = map->divisions->parameter(number);
       if (turn < 0) there.value = -there.value;

@@ -16,7 +16,7 @@ constexpr std::size_t kEdgesBetweenTellings = 1024;
 }  // namespace
 
 LimitPartition::LimitPartition(const VoronoiDiagram& diagram, const StationaryPoints& stationary,
-                               const FlowOptions& options, const Progress& progress)
+                               const FlowOptions& options, const Progress& progress, std::size_t total)
     : stationary_(stationary),
       gabriel_(diagram, stationary),
       diagram_(diagram),
@@ -25,7 +25,7 @@ LimitPartition::LimitPartition(const VoronoiDiagram& diagram, const StationaryPo
       walk_(faces_, *flow_, gabriel_) {
   if (diagram_.dimension() < 2) return;
   note_records();
-  divide_all_edges(progress);
+  divide_all_edges(progress, total);
   walk_.clear();
   fronts_ = {};
 }
@@ -49,24 +49,24 @@ void LimitPartition::note_records() {
 
 // ---- The order of work ----
 
-void LimitPartition::divide_all_edges(const Progress& progress) {
+void LimitPartition::divide_all_edges(const Progress& progress, std::size_t total) {
   for_each_polygon(diagram_, [&](PolygonRef polygon) {
-    while (!request_edge(polygon)) finish_tasks(progress);
+    while (!request_edge(polygon)) finish_tasks(progress, total);
   });
   if (diagram_.dimension() < 3) return;
   // Some Voronoi vertices are at the ends of no edge whose division needed them.
   for (CellIndex cell = 0; cell < diagram_.delaunay().finite_count; ++cell) {
     if (diagram_.complex().cluster(cell) != cell) continue;
-    while (!request_vertex(cell)) finish_tasks(progress);
+    while (!request_vertex(cell)) finish_tasks(progress, total);
   }
 }
 
 // A task that is not finished has asked for others, which come first. The first edge may ask for all the others, so
 // progress is reported here.
-void LimitPartition::finish_tasks(const Progress& progress) {
+void LimitPartition::finish_tasks(const Progress& progress, std::size_t total) {
   while (!tasks_.empty()) {
     if (progress && divided_ >= told_) {
-      progress(divided_);
+      progress(divided_, total);
       told_ = divided_ + kEdgesBetweenTellings;
     }
     const Task task = tasks_.back();

@@ -11,8 +11,8 @@
 // time, because it is the smallest one around the contact set of the place that was left.
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -55,16 +55,17 @@ struct DivisionPoint {
   // the apex `other`.
   FacetName facet{0, 0};
   VertexIndex apex = 0, far_apex = 0, other = 0;
+
+  // Of a crossing: three samples of the polygon through whose Voronoi edge the ray enters.
+  [[nodiscard]] std::array<VertexIndex, 3> samples() const { return {facet.v0, facet.v1, apex}; }
 };
 
 class LimitPartition {
  public:
-  // Told now and then how many Voronoi edges are divided. It may throw to stop.
-  using Progress = std::function<void(std::size_t divided)>;
-
-  // The diagram and the list must outlive it. It divides everything at once.
+  // The diagram and the list must outlive it. It divides everything at once. The progress is told now and then how many
+  // Voronoi edges are divided, of the total given.
   LimitPartition(const VoronoiDiagram& diagram, const StationaryPoints& stationary, const FlowOptions& options,
-                 const Progress& progress = {});
+                 const Progress& progress, std::size_t total);
 
   // What these limits were read off.
   [[nodiscard]] static const LimitPartition& of(const FlowLimits& limits);
@@ -109,8 +110,8 @@ class LimitPartition {
   };
 
   void note_records();
-  void divide_all_edges(const Progress& progress);
-  void finish_tasks(const Progress& progress);
+  void divide_all_edges(const Progress& progress, std::size_t total);
+  void finish_tasks(const Progress& progress, std::size_t total);
   bool finish_vertex(const Task& task);
   bool finish_facet(FacetName facet, CellIndex hint);
   bool is_ready(const FacetSides& sides);

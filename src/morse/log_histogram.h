@@ -1,4 +1,5 @@
-// A histogram of numbers by their logarithms, and the valley behind its highest bin.
+// A histogram of numbers by their logarithms, the valley behind its highest bin, and the length that a bound means
+// among given ones.
 //
 // Guarantees: exact. Bins lie between rational edges, and what is in them is counted. A valley is where people who look
 // at a histogram put a threshold (J. M. S. Prewitt, M. L. Mendelsohn, The analysis of cell images, 1966: the least bin
@@ -29,5 +30,15 @@ struct PlacedValley {
   std::size_t last_below = 0;
 };
 [[nodiscard]] std::optional<PlacedValley> placed_valley(const ValueOrder& roots, const Rational& squared_unit);
+
+struct LengthThreshold {
+  std::optional<Rational> squared_length;  // none: the bound is below all lengths
+  std::optional<AutomaticThreshold> automatic;
+};
+
+// For a valley, lengths that are not more than `same_within` apart count once, where it is set.
+[[nodiscard]] LengthThreshold threshold_of(const LengthBound& bound, const ValueOrder& lengths,
+                                           const std::optional<Rational>& squared_spacing,
+                                           const std::optional<Rational>& same_within = std::nullopt);
 
 }  // namespace flowcert::morse

@@ -25,17 +25,19 @@ namespace flowcert::morse {
   return from[(first + 1) % 3] == to[1] ? 1 : -1;
 }
 
+// (b-a) x (c-a)
+[[nodiscard]] inline RationalPoint exact_normal(const VoronoiDiagram& diagram, const std::array<VertexIndex, 3>& abc) {
+  const auto at = [&](std::size_t k) { return exact_position(diagram.point(abc[k])); };
+  return normal_of(at(0), at(1), at(2));
+}
+
 // Whether (b-a) x (c-a) points to end 1 of the polygon's Voronoi edge. The samples are not collinear.
 [[nodiscard]] inline bool has_turn(const VoronoiDiagram& diagram, PolygonRef polygon,
                                    const std::array<VertexIndex, 3>& abc) {
   const std::array<VertexIndex, 3> corners = diagram.corners(polygon);
   if (const int turn = turn_of_same(corners, abc); turn != 0) return turn > 0;
   // Only polygons with more than three samples come here.
-  const auto normal = [&](const std::array<VertexIndex, 3>& v) {
-    const auto at = [&](std::size_t k) { return exact_position(diagram.point(v[k])); };
-    return normal_of(at(0), at(1), at(2));
-  };
-  return dot(normal(corners), normal(abc)) > 0;
+  return dot(exact_normal(diagram, corners), exact_normal(diagram, abc)) > 0;
 }
 
 }  // namespace flowcert::morse

@@ -83,6 +83,7 @@ struct StableVolumes::Parts {
   [[nodiscard]] RationalVector at(VertexIndex v) const { return exact_vector(diagram.point(v)); }
   [[nodiscard]] Rational determinant(CellIndex cell) const;
   [[nodiscard]] Rational pyramid(FacetRef face) const;
+  [[nodiscard]] Rational ratio_over(const VolumeTerm& term, FacetRef triangle) const;
   [[nodiscard]] Rational exact(const VolumeTerm& term);
   [[nodiscard]] Rational exact(Records records);
   void add_shares(const std::array<VertexIndex, 3>& triangle, const Rational& volume,
@@ -177,7 +178,7 @@ BoundedNumber StableVolumes::Parts::bounded(const BoundedDivisions& divisions_, 
   }
   const PolygonRef polygon = PolygonRef::unpacked(term.face);
   const DivisionPoint& point = partition.point(term.point);
-  const int turn = turn_of_same({point.facet.v0, point.facet.v1, point.apex}, diagram.corners(polygon));
+  const int turn = turn_of_same(point.samples(), diagram.corners(polygon));
   // Polygons with more than three samples are left to exact numbers.
   if (turn == 0 || diagram.complex().role(polygon) != VoronoiComplex::FacetRole::kWhole) return {};
   BoundedNumber r = divisions_.parameter(term.point);
@@ -246,15 +247,17 @@ std::vector<FacetRef> StableVolumes::Parts::triangles_of(PolygonRef polygon) con
   return {pieces.begin(), pieces.end()};
 }
 
+// By what the parameter of a term's point is multiplied to be one over a triangle of its polygon.
+Rational StableVolumes::Parts::ratio_over(const VolumeTerm& term, FacetRef triangle) const {
+  return parameter_ratio<Rational>([this](VertexIndex v) { return at(v); }, partition.point(term.point).samples(),
+                                   diagram.corners(triangle));
+}
+
 Rational StableVolumes::Parts::exact(const VolumeTerm& term) {
   if (term.kind == VolumeTerm::Kind::kCell) return determinant(term.face);
   if (term.kind == VolumeTerm::Kind::kVertex) return pyramid(FacetRef::unpacked(term.face));
-  const DivisionPoint& point = partition.point(term.point);
   Rational ratio = 0;
-  for (const FacetRef triangle : triangles_of(PolygonRef::unpacked(term.face))) {
-    ratio += parameter_ratio<Rational>([this](VertexIndex v) { return at(v); },
-                                       {point.facet.v0, point.facet.v1, point.apex}, diagram.corners(triangle));
-  }
+  for (const FacetRef triangle : triangles_of(PolygonRef::unpacked(term.face))) ratio += ratio_over(term, triangle);
   const Rational r = divisions->parameter(term.point) * ratio;
   return term.kind == VolumeTerm::Kind::kBefore ? r : Rational(-r);
 }
@@ -313,13 +316,9 @@ void StableVolumes::Parts::add_shares(const VolumeTerm& term, std::vector<std::p
     const FacetRef face = FacetRef::unpacked(term.face);
     return add_shares(diagram.corners(face), pyramid(face), shares);
   }
-  const DivisionPoint& point = partition.point(term.point);
   const Rational r = divisions->parameter(term.point) * (term.kind == VolumeTerm::Kind::kBefore ? 1 : -1);
   for (const FacetRef triangle : triangles_of(PolygonRef::unpacked(term.face))) {
-    const Rational ratio =
-        parameter_ratio<Rational>([this](VertexIndex v) { return at(v); }, {point.facet.v0, point.facet.v1, point.apex},
-                                  diagram.corners(triangle));
-    add_shares(diagram.corners(triangle), r * ratio, shares);
+    add_shares(diagram.corners(triangle), r * ratio_over(term, triangle), shares);
   }
 }
 

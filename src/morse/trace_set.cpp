@@ -1,7 +1,6 @@
 #include "morse/trace_set.h"
 
-#include "geometry/rational_point.h"
-#include "voronoi/voronoi_faces.h"
+#include "morse/polygon_turn.h"
 
 namespace flowcert::morse {
 
@@ -16,9 +15,7 @@ void TraceOrder::clear() {
 TraceOrder::Axis TraceOrder::axis(PolygonRef polygon) {
   const auto [known, is_new] = axes_.try_emplace(polygon.packed(), Axis{0, 0});
   if (!is_new) return known->second;
-  const auto [a, b, c] = diagram_.corners(polygon);
-  const auto at = [this](VertexIndex v) { return exact_position(diagram_.point(v)); };
-  const RationalPoint normal = normal_of(at(a), at(b), at(c));
+  const RationalPoint normal = exact_normal(diagram_, diagram_.corners(polygon));
   std::size_t k = 0;
   while (normal[k] == 0) ++k;
   return known->second = {k, normal[k].sign()};

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/rational_point.h"
+#include "morse/polygon_turn.h"
 
 namespace flowcert::morse {
 
@@ -113,9 +114,7 @@ class UnboundedSearch {
 UnboundedFaces unbounded_faces(VoronoiFaces& faces) { return UnboundedSearch(faces).found(); }
 
 RationalPoint direction_of(const VoronoiDiagram& diagram, const EdgeEnd& at) {
-  const auto [a, b, c] = diagram.corners(at.polygon);
-  const auto position = [&](VertexIndex v) { return exact_position(diagram.point(v)); };
-  const RationalPoint normal = as_direction(normal_of(position(a), position(b), position(c)));
+  const RationalPoint normal = as_direction(exact_normal(diagram, diagram.corners(at.polygon)));
   return at.end == 1 ? normal : -normal;
 }
 
