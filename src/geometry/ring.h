@@ -17,17 +17,17 @@ void merge_repeated(std::vector<Corner>& ring, const IsSame& is_same = {}) {
 }
 
 // From the least corner on, in the same sense.
-template <typename Corner, typename IsLess = std::less<>>
-void begin_with_least(std::vector<Corner>& ring, const IsLess& is_less = {}) {
+template <typename Corner>
+void begin_with_least(std::vector<Corner>& ring) {
   merge_repeated(ring);
-  std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end(), is_less), ring.end());
+  std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
 }
 
 // From the least corner towards the lesser of its neighbours.
-template <typename Corner, typename IsLess = std::less<>>
-void make_canonical(std::vector<Corner>& ring, const IsLess& is_less = {}) {
-  begin_with_least(ring, is_less);
-  if (ring.size() > 2 && is_less(ring.back(), ring[1])) std::reverse(ring.begin() + 1, ring.end());
+template <typename Corner>
+void make_canonical(std::vector<Corner>& ring) {
+  begin_with_least(ring);
+  if (ring.size() > 2 && ring.back() < ring[1]) std::reverse(ring.begin() + 1, ring.end());
 }
 
 }  // namespace flowcert::geometry

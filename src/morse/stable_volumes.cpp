@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -42,6 +43,7 @@ Rational total(std::span<const Rational> terms) {
 
 struct StableVolumes::Parts {
   using Records = std::span<const std::uint32_t>;
+  using Shares = std::map<PointId, std::vector<Rational>>;  // by sample: what adds up to its part
 
   // Where an arc ends, and so what is added to a volume.
   struct VolumeTerm {
@@ -77,7 +79,7 @@ struct StableVolumes::Parts {
   [[nodiscard]] static std::optional<double> rounded_sixth(const BoundedDivisions& divisions, const BoundedNumber& sum);
   [[nodiscard]] const BoundedDivisions& shared_bounds();
   void add_rounded_shares(const BoundedDivisions& divisions, const VolumeTerm& term,
-                          std::vector<std::pair<PointId, BoundedNumber>>& shares) const;
+                          std::map<PointId, BoundedNumber>& sums) const;
   // Nothing if the bounds leave one open.
   [[nodiscard]] std::optional<std::vector<std::pair<PointId, double>>> rounded_shares(std::size_t record);
   [[nodiscard]] RationalVector at(VertexIndex v) const { return exact_vector(diagram.point(v)); }
@@ -86,9 +88,8 @@ struct StableVolumes::Parts {
   [[nodiscard]] Rational ratio_over(const VolumeTerm& term, FacetRef triangle) const;
   [[nodiscard]] Rational exact(const VolumeTerm& term);
   [[nodiscard]] Rational exact(Records records);
-  void add_shares(const std::array<VertexIndex, 3>& triangle, const Rational& volume,
-                  std::vector<std::pair<PointId, Rational>>& shares) const;
-  void add_shares(const VolumeTerm& term, std::vector<std::pair<PointId, Rational>>& shares);
+  void add_shares(const std::array<VertexIndex, 3>& triangle, const Rational& volume, Shares& shares) const;
+  void add_shares(const VolumeTerm& term, Shares& shares);
   [[nodiscard]] std::vector<FacetRef> triangles_of(PolygonRef polygon) const;
 
   const VoronoiDiagram& diagram;
@@ -291,7 +292,7 @@ void StableVolumes::Parts::compute_hull() {
 // p and half to q. By the barycentric coordinates w of the circle's centre, the triangle's sides have w of the opposite
 // corner. So p has (1 - w_p) / 2.
 void StableVolumes::Parts::add_shares(const std::array<VertexIndex, 3>& triangle, const Rational& volume,
-                                      std::vector<std::pair<PointId, Rational>>& shares) const {
+                                      Shares& shares) const {
   std::array<Rational, 3> weights;
   Rational sum = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -300,12 +301,11 @@ void StableVolumes::Parts::add_shares(const std::array<VertexIndex, 3>& triangle
     sum += weights[i];
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    const PointId name = diagram.name(triangle[i]);
-    shares.emplace_back(name, volume * (sum - weights[i]) / (2 * sum));
+    shares[diagram.name(triangle[i])].push_back(volume * (sum - weights[i]) / (2 * sum));
   }
 }
 
-void StableVolumes::Parts::add_shares(const VolumeTerm& term, std::vector<std::pair<PointId, Rational>>& shares) {
+void StableVolumes::Parts::add_shares(const VolumeTerm& term, Shares& shares) {
   if (term.kind == VolumeTerm::Kind::kCell) {
     for (std::uint32_t i = 0; i < 4; ++i) {
       add_shares(diagram.corners({term.face, i}), pyramid({term.face, i}), shares);
@@ -329,11 +329,12 @@ const BoundedDivisions& StableVolumes::Parts::shared_bounds() {
 }
 
 void StableVolumes::Parts::add_rounded_shares(const BoundedDivisions& divisions_, const VolumeTerm& term,
-                                              std::vector<std::pair<PointId, BoundedNumber>>& shares) const {
+                                              std::map<PointId, BoundedNumber>& sums) const {
   const auto add = [&](const VolumeTerm& over_triangle, const std::array<VertexIndex, 3>& triangle) {
     const auto parts = divisions_.parts_of_corners(bounded(divisions_, over_triangle), triangle);
     for (std::size_t i = 0; i < 3; ++i) {
-      shares.emplace_back(diagram.name(triangle[i]), parts[i]);
+      BoundedNumber& sum = sums.try_emplace(diagram.name(triangle[i]), BoundedNumber{0, 0}).first->second;
+      sum = sum + parts[i];
     }
   };
   if (term.kind != VolumeTerm::Kind::kCell) return add(term, diagram.corners(PolygonRef::unpacked(term.face)));
@@ -345,24 +346,17 @@ void StableVolumes::Parts::add_rounded_shares(const BoundedDivisions& divisions_
 
 std::optional<std::vector<std::pair<PointId, double>>> StableVolumes::Parts::rounded_shares(std::size_t record) {
   const BoundedDivisions& shared = shared_bounds();
-  std::vector<std::pair<PointId, BoundedNumber>> parts;
+  std::map<PointId, BoundedNumber> sums;
   for (const VolumeTerm& term : terms_of(record)) {
     // A term of a large polygon is that of several triangles, and is left to exact numbers.
     if (!(bounded(shared, term).error < HUGE_VAL)) return std::nullopt;
-    add_rounded_shares(shared, term, parts);
+    add_rounded_shares(shared, term, sums);
   }
-  std::ranges::stable_sort(parts, {}, [](const auto& part) { return part.first; });
   std::vector<std::pair<PointId, double>> shares;
-  for (std::size_t i = 0, next = 0; i < parts.size(); i = next) {
-    BoundedNumber sum{0, 0};
-    for (next = i; next < parts.size() && parts[next].first == parts[i].first; ++next) {
-      const BoundedNumber& part = parts[next].second;
-      if (!(part.error < HUGE_VAL)) return std::nullopt;
-      sum = sum + part;
-    }
+  for (const auto& [sample, sum] : sums) {
     const auto share = rounded_sixth(shared, sum);
     if (!share) return std::nullopt;
-    shares.emplace_back(parts[i].first, *share);
+    shares.emplace_back(sample, *share);
   }
   return shares;
 }
@@ -406,17 +400,12 @@ std::vector<std::pair<PointId, Rational>> StableVolumes::shares(std::size_t reco
   Parts& all = *parts_;
   const std::scoped_lock lock(all.mutex);
   if (!all.divisions) all.divisions.emplace(all.diagram, all.partition);
-  std::vector<std::pair<PointId, Rational>> parts;
+  Parts::Shares parts;
   for (const Parts::VolumeTerm& term : all.terms_of(record)) all.add_shares(term, parts);
-  std::ranges::stable_sort(parts, {}, [](const auto& part) { return part.first; });
   std::vector<std::pair<PointId, Rational>> shares;
-  for (std::size_t i = 0, next = 0; i < parts.size(); i = next) {
-    std::vector<Rational> values;
-    for (next = i; next < parts.size() && parts[next].first == parts[i].first; ++next) {
-      values.push_back(parts[next].second);
-    }
+  for (const auto& [sample, values] : parts) {
     const Rational sum = total(values) / 6;
-    if (sum != 0) shares.emplace_back(parts[i].first, sum);
+    if (sum != 0) shares.emplace_back(sample, sum);
   }
   return shares;
 }
