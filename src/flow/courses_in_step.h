@@ -25,8 +25,7 @@ class CoursesInStep {
 
   // source.next() is a Voronoi vertex to start from, or kNoCell if there is none for now. source.done(cluster, course)
   // takes what was found, source.undecided(cluster) what was not. Both may make further starts known.
-  template <class Source>
-  void follow(Source& source) {
+  void follow(auto& source) {
     std::size_t running = 0;
     do {
       running = 0;
@@ -96,8 +95,7 @@ class CoursesInStep {
     }
   }
 
-  template <class Source>
-  void finish(Lane& lane, Source& source) {
+  void finish(Lane& lane, auto& source) {
     lane.stage = Stage::kFree;
     if (!lane.is_decided) return source.undecided(lane.cluster);
     tally_[FlowPrimitive::kSideOfRay].calls += lane.sides;

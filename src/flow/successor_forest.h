@@ -24,8 +24,7 @@ struct ForestEnd {
   StationaryIndex index;
 };
 
-// The flow from one Voronoi vertex to the next one, or to its end. Between its first and its last segment there are
-// E-F-E alone, because only these and V-F-E end inside a Voronoi edge.
+// What is kept of a course.
 struct Stretch {
   static constexpr std::uint32_t kInfinity = 0xffffffffu;
   static constexpr std::uint32_t kUnknown = 0xffffffffu;

@@ -16,8 +16,7 @@ template <class Worker>
 class WorkerPool {
  public:
   // Returns what `use` returns for a free worker, or for a new one from `make`.
-  template <class Make, class Use>
-  auto with(const Make& make, const Use& use) {
+  auto with(const auto& make, const auto& use) {
     std::unique_ptr<Worker> worker = take();
     if (!worker) worker = make();
     auto result = use(*worker);

@@ -25,8 +25,7 @@ class IeeeDoubles {
 };
 
 // For constructors, which compute before their body begins.
-template <class Call>
-auto in_ieee_doubles(const Call& call) {
+auto in_ieee_doubles(const auto& call) {
   const IeeeDoubles ieee;
   return call();
 }

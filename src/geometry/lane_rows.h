@@ -19,8 +19,7 @@ template <std::size_t kLanes>
 struct LaneRows {
   LaneRow<kLanes> x{}, y{}, z{};
 
-  template <class Triple>
-  [[gnu::always_inline]] void put(std::size_t lane, const Triple& value) {
+  [[gnu::always_inline]] void put(std::size_t lane, const auto& value) {
     x[lane] = value.x;
     y[lane] = value.y;
     z[lane] = value.z;

@@ -63,8 +63,7 @@ class Portions {
 };
 
 // Calls use(thread, k) once for each k below the count, on so many threads, which are numbered from 0 on.
-template <class Use>
-void in_portions(unsigned threads, std::size_t count, std::size_t size, const Progress& progress, const Use& use) {
+void in_portions(unsigned threads, std::size_t count, std::size_t size, const Progress& progress, const auto& use) {
   threads = std::max(threads, 1U);
   Portions portions(count, size, progress);
   parallel_for(threads, threads, [&](std::size_t thread) {

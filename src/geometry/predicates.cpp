@@ -81,10 +81,7 @@ Sign unfiltered_sign(const Query& query) {
 namespace {
 
 // What the header requires of the points.
-template <class Query>
-bool is_allowed(const Query&) {
-  return true;
-}
+bool is_allowed(const auto&) { return true; }
 bool is_allowed(const SideOfPlane& k) { return unfiltered_sign(Orientation{k.f0, k.f1, k.f2, k.apex}) != Sign::kZero; }
 bool is_allowed(const OutsideCircle& k) { return unfiltered_sign(Orientation{k.p0, k.p1, k.q, k.r}) == Sign::kZero; }
 

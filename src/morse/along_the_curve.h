@@ -16,9 +16,8 @@ namespace flowcert::morse {
 
 // The numbers 0 to count - 1 in the order in which the faces of their records lie in space. record_of(i) is a place in
 // the list.
-template <class RecordOf>
 [[nodiscard]] std::vector<std::uint32_t> along_the_curve(const StationaryPoints& list, std::size_t count,
-                                                         const RecordOf& record_of) {
+                                                         const auto& record_of) {
   // The key comes first, and then the number.
   std::vector<std::uint64_t> keyed(count);
   for (std::size_t i = 0; i < count; ++i) {

@@ -43,8 +43,8 @@ class ExactDivisions {
 };
 
 // By what a parameter for the samples `from` is multiplied to be that for `to`, samples of the same polygon.
-template <class Number, class At>
-[[nodiscard]] Number parameter_ratio(const At& at, const std::array<VertexIndex, 3>& from,
+template <class Number>
+[[nodiscard]] Number parameter_ratio(const auto& at, const std::array<VertexIndex, 3>& from,
                                      const std::array<VertexIndex, 3>& to) {
   if (const int turn = turn_of_same(from, to); turn != 0) return Number(turn);
   const auto normal = [&](const std::array<VertexIndex, 3>& v) {

@@ -47,8 +47,7 @@ class FacetWalk {
   }
 
   // The divisions of a piece in the sense of the ring, or against it.
-  template <class Use>
-  void for_divisions(std::size_t k, bool with_ring, const Use& use) const {
+  void for_divisions(std::size_t k, bool with_ring, const auto& use) const {
     const RingPiece& piece = sides_.piece(k);
     if (!piece.is_finite()) return use(Division{kInfinityLimit});
     const std::span<const Division> divisions = partition_.edge(piece.polygon());

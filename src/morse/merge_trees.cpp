@@ -81,9 +81,8 @@ class TreeBuilder {
 };
 
 // Calls merge(joins) for each value. points come by value, and joins_of(point) is what is at its sides.
-template <typename JoinOf>
 MergeTree tree_of(std::size_t leaves, std::span<const std::uint32_t> points, const SquaredDistances& distances,
-                  const JoinOf& join_of) {
+                  const auto& join_of) {
   TreeBuilder builder(leaves);
   std::vector<Join> joins;
   for (std::size_t k = 0; k < points.size(); ++k) {

@@ -17,8 +17,7 @@ auto list_order(StationaryIndex index) {
 }
 
 // The first place from `low` on at which the property holds, or `high`. From there on it must hold everywhere.
-template <class Property>
-std::size_t first_place(std::size_t low, std::size_t high, const Property& holds) {
+std::size_t first_place(std::size_t low, std::size_t high, const auto& holds) {
   while (low < high) {
     const std::size_t middle = low + (high - low) / 2;
     if (holds(middle)) {

@@ -90,8 +90,7 @@ int Delaunay::dimension() const { return triangulation_->cgal.dimension(); }
 namespace {
 
 // Visits every cell of the highest dimension, the infinite ones too. CGAL names its iterators by dimension.
-template <class Visit>
-void for_each_cell(const Cgal& cgal, Visit visit) {
+void for_each_cell(const Cgal& cgal, const auto& visit) {
   switch (cgal.dimension()) {
     case 3:
       for (const Cgal::Cell_handle cell : cgal.all_cell_handles()) visit(cell);

@@ -72,8 +72,7 @@ class CascadeKernel {
     if (const MaybeSign sign = sign_in<double>(query)) return *sign;
     return sign_beyond_doubles(query);
   }
-  template <class Query>
-  [[nodiscard]] MaybeSign sign_on_rung(const Query& query, KernelRung rung) {
+  [[nodiscard]] MaybeSign sign_on_rung(const auto& query, KernelRung rung) {
     if (rung == KernelRung::kFilter) return sign_in<double>(query);
     if (rung == KernelRung::kDoubled) return sign_in<DoubleDouble>(query);
     if (rung == KernelRung::kExtended) return sign_in<Extended>(query);
@@ -296,8 +295,8 @@ class CascadeKernel {
       return normal_sign<Number>(direction_in<Number>(from, x.crossed()), k.a, k.b, k.c);
     }
   }
-  template <class Number, class Query>
-  [[nodiscard]] MaybeSign sign_in(const Query&) {
+  template <class Number>
+  [[nodiscard]] MaybeSign sign_in(const auto&) {
     return std::nullopt;
   }
 
@@ -313,10 +312,7 @@ class CascadeKernel {
     const PointNumber from = x.from;
     return exact_normal_sign(direction_in_integers(from, x.crossed()), k.a, k.b, k.c);
   }
-  template <class Query>
-  [[nodiscard]] Sign sign_in_integers(const Query& query) {
-    return sign_of_form(query);
-  }
+  [[nodiscard]] Sign sign_in_integers(const auto& query) { return sign_of_form(query); }
 
   struct InRationals {
     CascadeKernel& kernel;
@@ -324,8 +320,7 @@ class CascadeKernel {
     Vector3<Rational> operator()(PointNumber x) const { return exact_vector(kernel.exact(x)); }
     Vector3<Rational> operator()(const Point& p) const { return exact_vector(p); }
   };
-  template <class Query>
-  [[nodiscard]] Sign sign_of_form(const Query& query) {
+  [[nodiscard]] Sign sign_of_form(const auto& query) {
     const InRationals in{*this};
     return geometry::sign_of(query.form(in)(in(query.x)));
   }

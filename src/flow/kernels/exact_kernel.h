@@ -29,8 +29,7 @@ class ExactKernel {
     ++tally_[Query::kPrimitive].calls;
     return *sign_on_rung(query, KernelRung::kExact);
   }
-  template <class Query>
-  [[nodiscard]] MaybeSign sign_on_rung(const Query& query, KernelRung rung) {
+  [[nodiscard]] MaybeSign sign_on_rung(const auto& query, KernelRung rung) {
     if (rung != KernelRung::kExact) return std::nullopt;
     return sign_of(query.form(In{points_})(points_[query.x]));
   }

@@ -114,8 +114,7 @@ struct MovingPointOf<Kernel> {
 };
 
 // The centre of 3 or 4 points, by what makes it from their vectors.
-template <class In, class Construct>
-[[nodiscard]] auto center_of(std::span<const Point* const> p, const In& in, const Construct& construct) {
+[[nodiscard]] auto center_of(std::span<const Point* const> p, const auto& in, const auto& construct) {
   FLOWCERT_REQUIRES(p.size() == 3 || p.size() == 4);
   return p.size() == 3 ? construct(in(*p[0]), in(*p[1]), in(*p[2]))
                        : construct(in(*p[0]), in(*p[1]), in(*p[2]), in(*p[3]));

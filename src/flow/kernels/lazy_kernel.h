@@ -107,8 +107,7 @@ class LazyKernel {
     ++tally_[Query::kPrimitive].failures;
     return sign_in_integers(query);
   }
-  template <class Query>
-  [[nodiscard]] MaybeSign sign_on_rung(const Query& query, KernelRung rung) {
+  [[nodiscard]] MaybeSign sign_on_rung(const auto& query, KernelRung rung) {
     if (rung == KernelRung::kFilter) return sign_in_intervals(query);
     if (rung != KernelRung::kExact) return std::nullopt;
     return sign_in_integers(query);
@@ -184,16 +183,14 @@ class LazyKernel {
     Vector3<mpz_class> operator()(PointNumber x) const { return (*this)(CGAL::exact((*points)[x].value)); }
   };
 
-  template <class Query>
-  [[nodiscard]] MaybeSign sign_in_intervals(const Query& query) const {
+  [[nodiscard]] MaybeSign sign_in_intervals(const auto& query) const {
     const CGAL::Protect_FPU_rounding<true> upward;
     const InIntervals in{&points_};
     const auto sign = CGAL::sign(query.form(in)(in(query.x)));
     if (!CGAL::is_certain(sign)) return std::nullopt;
     return static_cast<Sign>(CGAL::get_certain(sign));
   }
-  template <class Query>
-  [[nodiscard]] Sign sign_in_integers(const Query& query) const {
+  [[nodiscard]] Sign sign_in_integers(const auto& query) const {
     CommonDenominator common;
     const Include include{common, &points_};
     (void)query.form(include);
