@@ -20,8 +20,8 @@
 #include "fuzz/commands/commands.h"
 #include "fuzz/commands/run_options.h"
 #include "fuzz/inputs/case_stream.h"
-#include "io/output_file.h"
 #include "io/number_text.h"
+#include "io/output_file.h"
 
 namespace flowcert::commands {
 

@@ -25,7 +25,8 @@ namespace flowcert::cli {
 // The group of commands that no overview has.
 inline constexpr char kSetUpGroup[] = "Set up a shell";
 
-// What the program can do, when it is asked for nothing: groups of commands with a line each, and what to begin with. At most 24 lines of 80 columns.
+// What the program can do, when it is asked for nothing: groups of commands with a line each, and what to begin with.
+// At most 24 lines of 80 columns.
 [[nodiscard]] std::string overview(const CLI::App& app);
 
 // What is wrong with a command line that `app` has refused, with the nearest command or option and whose help to see.

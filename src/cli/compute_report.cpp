@@ -261,7 +261,8 @@ std::string obstacle_text(const Obstacles& obstacles) {
 }
 
 // What flows to infinity is found from rounded volumes, because exact ones take long on large inputs. Their roundings
-// add up to less than 2^-53 of the hull's volume, unless volumes are subnormal. Nothing if a volume is beyond the doubles.
+// add up to less than 2^-53 of the hull's volume, unless volumes are subnormal. Nothing if a volume is beyond the
+// doubles.
 std::optional<Rational> volume_to_infinity(const FlowComplex& complex) {
   const StableVolumes& volumes = complex.volumes();
   Rational rest = volumes.hull();

@@ -2,12 +2,11 @@
 //
 // Guarantees: it is held against squared distances in rationals, with last bits that differ, and with lengths beyond
 // the range of the filter. Ties are counted.
-#include "geometry/nearest_samples.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "geometry/nearest_samples.h"
 #include "geometry/rational_point.h"
 #include "tests/cites.h"
 #include "tests/unit/portable_random.h"

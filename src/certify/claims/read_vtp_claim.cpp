@@ -154,8 +154,8 @@ void append_inflated(std::string_view bytes, std::uint64_t size, std::string& ou
 
 // ---- The document ----
 // Where the points and one array of point data are. Both are still encoded. The file must be PolyData, well-formed XML
-// up to the appended data, not nested too deeply, and without a document type (which could declare entities). Counts and
-// offsets are as announced, and may be absurd.
+// up to the appended data, not nested too deeply, and without a document type (which could declare entities). Counts
+// and offsets are as announced, and may be absurd.
 //
 // Expat reports the document element by element. It reads in place, does not recurse, and can be stopped at the
 // appended data. Those are not XML if they are raw.
@@ -382,8 +382,8 @@ class VtpParser {
 // the header has the number of blocks, their uncompressed size, the uncompressed size of the last one (0: the same),
 // and the compressed size of each. In base64, header and bytes may be padded together or each alone.
 //
-// An array has exactly as many values as announced. Memory is bounded by what is really there, not by what is announced.
-// All arrays together never decode more than the size of the appended data.
+// An array has exactly as many values as announced. Memory is bounded by what is really there, not by what is
+// announced. All arrays together never decode more than the size of the appended data.
 
 constexpr auto kTypes = std::to_array<std::pair<std::string_view, StoredType>>({{"Int8", {'i', 1}},
                                                                                 {"UInt8", {'u', 1}},
