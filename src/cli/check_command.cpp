@@ -22,16 +22,13 @@ namespace flowcert::cli {
 
 namespace {
 
-struct CheckCommandOptions {
-  ReadingOptions reading;
+struct CheckCommandOptions : InputOptions {
   CheckedFiles files;
-  CheckOptions check;
   std::string claim_format;  // "pers", or empty: the content and the ending say it
   std::string junit;
   std::size_t most = std::numeric_limits<std::size_t>::max();
   bool json = false;
   bool is_strict = false;
-  unsigned threads = 1;
 };
 
 // A line for each level, one after the other.
@@ -66,10 +63,10 @@ AnyClaim claim_of(const std::string& path, const std::string& format, bool unlim
 CheckReport report_of(const CheckCommandOptions& options, const OtherTruth& oracle, const Input& input, Claim given) {
   const ProgressLine progress("checking");
   const Claim claim = std::move(given);  // a large one takes seconds to free, and is freed before the line
-  const FlowComplex complex(input.points, complex_options(input, options.threads), part_progress());
+  const FlowComplex complex(input.points, complex_options(input), part_progress());
   const std::unique_ptr<Truth> truth = options.files.by_oracle ? oracle.of(input.file.rows) : fast_truth(complex);
   LevelProgress levels;
-  CheckOptions how = options.check;
+  CheckOptions how = options.files.check;
   how.progress = std::ref(levels);
   return check(input.points, claim, *truth, how);
 }
@@ -99,32 +96,30 @@ int check_complex(const CheckCommandOptions& options, const OtherTruth& oracle, 
 std::vector<ListedPair> true_pairs(const CheckCommandOptions& options, const OtherTruth& oracle, const Input& input) {
   const ProgressLine progress("pairing");
   if (options.files.by_oracle) return oracle.pairs_of(input.file.rows);
-  return listed_pairs(FlowComplex(input.points, complex_options(input, options.threads), part_progress()));
+  return listed_pairs(FlowComplex(input.points, complex_options(input), part_progress()));
 }
 
 int check_diagram(const CheckCommandOptions& options, const OtherTruth& oracle, const Input& input,
                   const std::vector<ClaimedPair>& claimed) {
-  if (options.check.highest_level != kLevels || options.check.indices != CheckOptions{}.indices) {
+  if (options.files.check.highest_level != kLevels || options.files.check.indices != CheckOptions{}.indices) {
     throw InvalidInput("--levels and --indices are for flow complexes, and the claim is a persistence diagram");
   }
   CheckedFiles files = options.files;
   files.claim_format = "persistence";
-  const PairReport report = report_of_pairs(claimed, true_pairs(options, oracle, input), options.check.tolerance);
+  const PairReport report = report_of_pairs(claimed, true_pairs(options, oracle, input), options.files.check.tolerance);
   return told(options, files, report, input.points);
 }
 
 int check_claim(CheckCommandOptions options, const OtherTruth& oracle) {
   CheckedFiles& files = options.files;
-  if (files.points == "-" && files.claim == "-") {
+  if (options.input == kStandardStream && files.claim == kStandardStream) {
     throw InvalidInput("POINTS and CLAIM cannot both be standard input");
   }
   AnyClaim claim = claim_of(files.claim, options.claim_format, options.reading.unlimited);
-  const Input input = read_input(files.points, options.reading);
+  const Input input = read_input(options);
   if (!input.file.atoms.empty()) files.atoms = &input.file.atoms;
-  files.points = display_name(files.points);
+  files.points = input.name;
   files.claim = display_name(files.claim);
-  files.tolerance = options.check.tolerance;
-  files.highest_level = options.check.highest_level;
   if (auto* complex = std::get_if<Claim>(&claim)) return check_complex(options, oracle, input, std::move(*complex));
   return check_diagram(options, oracle, input, std::get<std::vector<ClaimedPair>>(claim));
 }
@@ -134,7 +129,7 @@ int check_claim(CheckCommandOptions options, const OtherTruth& oracle) {
 void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
   auto options = std::make_shared<CheckCommandOptions>();
   CLI::App* command = app.add_subcommand("check", kCheckPurpose);
-  add_input_options(*command, options->files.points, options->reading, "Point file, or - for standard input", "POINTS");
+  add_input_options(*command, *options, "Point file, or - for standard input", "POINTS");
   command
       ->add_option(
           "CLAIM", options->files.claim,
@@ -150,7 +145,7 @@ void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
   command->add_flag("--json", options->json, "Print one JSON object");
   command->add_option("--junit", options->junit, "Write a JUnit report to this file, a test case a level")
       ->check(complaint_about_path);
-  add_judging_options(*command, options->check, options->is_strict);
+  add_judging_options(*command, options->files.check, options->is_strict);
   command
       ->add_option("--most", options->most,
                    "After one finding of each reason, show so many of each level; all, without this")

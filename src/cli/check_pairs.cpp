@@ -58,7 +58,7 @@ void print_check_text(const CheckedFiles& files, const PairReport& report, std::
   std::set<std::string> told;
   for (std::size_t k = 0; k < shown; ++k) {
     const PairDifference& difference = report.differences[k];
-    fmt::print("{}\n", wrapped(with_short_numbers(difference_line(files, difference)), kFindingIndent));
+    print_wrapped(with_short_numbers(difference_line(files, difference)), kFindingIndent);
     if (const std::string sentence = sentence_of(difference); told.insert(sentence).second) {
       fmt::print("{}{}\n", std::string(kFindingIndent, ' '),
                  wrapped(sentence, kFindingIndent, kLineWidth - kFindingIndent));
@@ -75,7 +75,7 @@ void print_check_text(const CheckedFiles& files, const PairReport& report, std::
   }
   table.print();
   print_verdict(files, report.verdict, report.profile,
-                report.profile.is_exact() ? "" : fmt::format(", tolerance {}", files.tolerance));
+                report.profile.is_exact() ? "" : fmt::format(", tolerance {}", files.check.tolerance));
 }
 
 void print_check_json(const CheckedFiles& files, const PairReport& report, const PointSet& points) {
@@ -107,7 +107,7 @@ void write_check_junit(std::ostream& out, const CheckedFiles& files, const PairR
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
       << fmt::format("  <testsuite name=\"{}\" tests=\"1\" failures=\"{}\" errors=\"0\" skipped=\"0\">\n",
                      xml_text(fmt::format("flowcert check {} {}", files.points, files.claim)), is_right ? 0 : 1)
-      << junit_properties({report.verdict, report.profile, files.tolerance})
+      << junit_properties({report.verdict, report.profile, files.check.tolerance})
       << "    <testcase classname=\"flowcert.check\" name=\"persistence pairs\"";
   if (is_right) {
     out << "/>\n";

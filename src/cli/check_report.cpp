@@ -92,6 +92,11 @@ std::string shell_word(const std::string& word) {
   return quoted + "'";
 }
 
+// Long numbers are shortened in the middle.
+void print_finding(const CheckedFiles& files, const Finding& finding) {
+  print_wrapped(with_short_numbers(finding_line(files.claim, finding)), kFindingIndent);
+}
+
 // Below a finding: what is wrong in a sentence, the atoms of a molecule, and the command that explains it.
 void print_in_plain_words(const CheckedFiles& files, const Finding& finding) {
   const auto print = [](const std::string& text) {
@@ -122,7 +127,7 @@ void print_findings(const CheckedFiles& files, const CheckReport& report, std::s
   std::vector<bool> is_shown(report.findings.size(), false);
   for (const ReasonRow& row : reasons) {
     is_shown[row.example] = true;
-    fmt::print("{}\n", finding_text(files.claim, report.findings[row.example]));
+    print_finding(files, report.findings[row.example]);
     print_in_plain_words(files, report.findings[row.example]);
   }
   std::array<std::size_t, kLevels> of_level{};
@@ -131,7 +136,7 @@ void print_findings(const CheckedFiles& files, const CheckReport& report, std::s
   for (std::size_t k = 0; k < report.findings.size(); ++k) {
     if (is_shown[k]) continue;
     if (of_level.at(static_cast<std::size_t>(report.findings[k].level - 1))++ < most) {
-      fmt::print("{}\n", finding_text(files.claim, report.findings[k]));
+      print_finding(files, report.findings[k]);
     } else {
       is_cut = true;
     }
@@ -210,10 +215,6 @@ std::string finding_line(const std::string& claim, const Finding& finding) {
                                  finding.claimed, finding.truth));
 }
 
-std::string finding_text(const std::string& claim, const Finding& finding) {
-  return wrapped(with_short_numbers(finding_line(claim, finding)), kFindingIndent);
-}
-
 Json finding_field(const Finding& finding, const AtomNames* atoms) {
   Json field = {{"level", finding.level},
                 {"reason", reason_text(finding.reason)},
@@ -234,19 +235,18 @@ Json finding_field(const Finding& finding, const AtomNames* atoms) {
 
 void print_verdict(const CheckedFiles& files, Verdict verdict, const Profile& profile, const std::string& tolerance) {
   fmt::print("\n");
-  print_conformity({verdict, profile, files.tolerance});
+  print_conformity({verdict, profile, files.check.tolerance});
   const std::string grade = profile.grade();
-  fmt::print("{}\n", wrapped(fmt::format("{} ({}{}; truth by the {})", verdict_text(verdict), grade, tolerance,
-                                         truth_text(files)),
-                             kFindingIndent));
+  print_wrapped(fmt::format("{} ({}{}; truth by the {})", verdict_text(verdict), grade, tolerance, truth_text(files)),
+                kFindingIndent);
 }
 
 Json judgement_fields(const CheckedFiles& files, Verdict verdict, const Profile& profile, const PointSet& points) {
   Json json = header_fields("flowcert-check", 1, points);
   json["verdict"] = verdict_text(verdict);
   json["grade"] = profile.grade();
-  json["profile"] = profile_field({verdict, profile, files.tolerance});
-  json["tolerance"] = files.tolerance;
+  json["profile"] = profile_field({verdict, profile, files.check.tolerance});
+  json["tolerance"] = files.check.tolerance;
   json["truth"] = truth_text(files);
   json["claim_format"] = files.claim_format;
   return json;
@@ -263,17 +263,14 @@ void print_check_text(const CheckedFiles& files, const CheckReport& report, std:
     const bool is_judged = report.indices.at(index);
     print_row(fmt::format("  {}", index),
               is_judged ? with_commas(report.claimed_counts.at(index)) : std::string("not judged"),
-              files.highest_level < 2 ? "" : fmt::format("{:>13}", with_commas(report.true_counts.at(index))));
+              files.check.highest_level < 2 ? "" : fmt::format("{:>13}", with_commas(report.true_counts.at(index))));
   }
   fmt::print("\n");
   print_levels(report);
-  for (const std::string& what : report.not_judged)
-    fmt::print("{}\n", wrapped("not judged: " + on_one_line(what), kFindingIndent));
-  for (const std::string& what : report.not_decided) {
-    fmt::print("{}\n", wrapped("not decided: " + on_one_line(what), kFindingIndent));
-  }
+  for (const std::string& what : report.not_judged) print_wrapped("not judged: " + on_one_line(what), kFindingIndent);
+  for (const std::string& what : report.not_decided) print_wrapped("not decided: " + on_one_line(what), kFindingIndent);
   print_verdict(files, report.verdict, report.profile,
-                report.is_exact ? "" : fmt::format(", tolerance {} of the radius", files.tolerance));
+                report.is_exact ? "" : fmt::format(", tolerance {} of the radius", files.check.tolerance));
 }
 
 void print_check_json(const CheckedFiles& files, const CheckReport& report, const PointSet& points) {
@@ -283,7 +280,7 @@ void print_check_json(const CheckedFiles& files, const CheckReport& report, cons
     if (report.indices.at(index)) json["indices"].push_back(index);
   }
   json["claimed"] = report.claimed_counts;
-  json["critical"] = files.highest_level < 2 ? Json(nullptr) : Json(report.true_counts);
+  json["critical"] = files.check.highest_level < 2 ? Json(nullptr) : Json(report.true_counts);
   json["levels"] = levels_field(report);
   json["reasons"] = reasons_field(report);
   json["not_judged"] = report.not_judged;
@@ -304,7 +301,7 @@ void write_check_junit(std::ostream& out, const CheckedFiles& files, const Check
       << fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\">\n",
                      xml_text(fmt::format("flowcert check {} {}", files.points, files.claim)), kLevels, failures,
                      skipped)
-      << junit_properties({report.verdict, report.profile, files.tolerance});
+      << junit_properties({report.verdict, report.profile, files.check.tolerance});
   for (std::size_t k = 0; k < kLevels; ++k) write_level(out, files, report, k, counts.at(k));
   out << "  </testsuite>\n</testsuites>\n";
 }

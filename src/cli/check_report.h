@@ -23,8 +23,7 @@ struct CheckedFiles {
   const AtomNames* atoms = nullptr;  // of a molecule
   std::string claim_format;
   bool by_oracle = false;
-  double tolerance = kDefaultTolerance;
-  int highest_level = kLevels;
+  CheckOptions check;
 };
 
 // What is said to be true: "oracle" or "fast implementation".
@@ -35,8 +34,6 @@ inline constexpr std::size_t kFindingIndent = 4;
 
 // "CLAIM:LINE: wrong, level 2: ..."
 [[nodiscard]] std::string finding_line(const std::string& claim, const Finding& finding);
-// A finding for people has lines of at most 80 columns, and long numbers are shortened in the middle.
-[[nodiscard]] std::string finding_text(const std::string& claim, const Finding& finding);
 // atoms: of a molecule.
 [[nodiscard]] Json finding_field(const Finding& finding, const AtomNames* atoms = nullptr);
 

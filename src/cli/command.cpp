@@ -77,9 +77,9 @@ void add_options_of_molecules(CLI::App& command, ReadingOptions& reading) {
 
 }  // namespace
 
-void add_input_options(CLI::App& command, std::string& path, ReadingOptions& reading, const std::string& description,
-                       const char* name) {
-  command.add_option(name, path, description)->required();
+void add_input_options(CLI::App& command, InputOptions& options, const std::string& description, const char* name) {
+  ReadingOptions& reading = options.reading;
+  command.add_option(name, options.input, description)->required();
   command
       .add_option(
           "--format", reading.format,
@@ -108,20 +108,21 @@ PointFile read_points_aloud(const std::string& path, const ReadingOptions& readi
   return file;
 }
 
-Input read_input(const std::string& path, const ReadingOptions& reading) {
+Input read_input(const InputOptions& options) {
   Input input;
-  input.file = read_points_aloud(path, reading);
+  input.name = display_name(options.input);
+  input.file = read_points_aloud(options.input, options.reading);
   input.points = PointSet(input.file.rows, input.file.left_out);
   if (const std::size_t merged = input.points.merged_duplicates(); merged > 0) {
-    io::tell(fmt::format("warning: {}: {} repeated point{} merged\n", display_name(path), with_commas(merged),
-                         merged == 1 ? "" : "s"));
+    io::tell(fmt::format("warning: {}: {} merged\n", input.name, counted(merged, "repeated point")));
   }
-  input.most_cells = reading.unlimited ? kAnyNumberOfCells : usual_most_cells(input.points.size());
+  input.most_cells = options.reading.unlimited ? kAnyNumberOfCells : usual_most_cells(input.points.size());
+  input.threads = options.threads;
   return input;
 }
 
-FlowOptions complex_options(const Input& input, unsigned threads, FlowOptions flow) {
-  flow.threads = threads;
+FlowOptions complex_options(const Input& input, FlowOptions flow) {
+  flow.threads = input.threads;
   flow.most_cells = input.most_cells;
   return flow;
 }
@@ -133,6 +134,8 @@ void tell_of_many_cells(const FlowComplex& complex) {
   io::tell(fmt::format("note: {} Delaunay cells, {} a point: memory and output grow with the square of the points\n",
                        with_commas(cells), with_commas(cells / points)));
 }
+
+void print_input(const Input& input) { print_wrapped(fmt::format("{} ({})", input.name, input.file.format)); }
 
 void print_point_counts(const PointSet& points) {
   print_row("points", with_commas(points.row_count()));

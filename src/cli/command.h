@@ -53,18 +53,30 @@ void add_view_command(CLI::App& app, int& status);
 // out.
 [[nodiscard]] PointFile read_points_aloud(const std::string& path, const ReadingOptions& reading = {});
 
+// What most commands are asked for: a file of points, how to read it, and how many threads compute.
+struct InputOptions {
+  std::string input;
+  ReadingOptions reading;
+  unsigned threads = 1;
+};
+
 // A file of points, and its points with merged duplicates.
 struct Input {
+  std::string name;  // for messages
   PointFile file;
   PointSet points;
   std::size_t most_cells = 0;  // that the triangulation may have (FlowOptions)
+  unsigned threads = 1;
 };
-[[nodiscard]] Input read_input(const std::string& path, const ReadingOptions& reading = {});
+[[nodiscard]] Input read_input(const InputOptions& options);
 // For a flow complex of it, which is made in this way.
-[[nodiscard]] FlowOptions complex_options(const Input& input, unsigned threads, FlowOptions flow = {});
+[[nodiscard]] FlowOptions complex_options(const Input& input, FlowOptions flow = {});
 
 // Says on standard error, before anything is written, that it will be much. Makes the diagram.
 void tell_of_many_cells(const FlowComplex& complex);
+
+// The first line of a report, "bunny.obj (OBJ)".
+void print_input(const Input& input);
 
 // The first rows of a table: points, merged duplicates and, where there are any, rows that are left out.
 void print_point_counts(const PointSet& points);
@@ -76,7 +88,7 @@ void print_point_counts(const PointSet& points);
 [[nodiscard]] std::string atoms_of_contact(const AtomNames& atoms, std::span<const PointId> rows);
 
 // The argument INPUT and the options that say how it is read.
-void add_input_options(CLI::App& command, std::string& path, ReadingOptions& reading,
+void add_input_options(CLI::App& command, InputOptions& options,
                        const std::string& description = "Point file, or - for standard input",
                        const char* name = "INPUT");
 

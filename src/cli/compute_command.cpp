@@ -29,9 +29,7 @@ namespace flowcert::cli {
 
 namespace {
 
-struct ComputeOptions {
-  std::string input;
-  ReadingOptions reading;
+struct ComputeOptions : InputOptions {
   std::string output;
   bool json = false;
   unsigned runs = 1;
@@ -44,7 +42,6 @@ struct ComputeOptions {
   std::string export_directory;
   std::vector<std::string> only;    // names of exported files; all of them if there is none
   std::optional<std::string> clip;  // a number or "none"
-  unsigned threads = 1;
   U2Choice u2;
 };
 
@@ -125,18 +122,18 @@ void compute(const ComputeOptions& options) {
   if (is_streamed && options.json) throw InvalidInput("-o - and --json would both write to standard output");
   std::optional<ExportFiles> files;
   if (!options.export_directory.empty()) files.emplace(export_choice(options), display_name(options.input));
-  const Input input = read_input(options.input, options.reading);
+  const Input input = read_input(options);
   const PartMade made = [&files](const FlowComplex& complex, FlowComplexPart part) {
     if (files) files->write_after(complex, part);
   };
   const Measured measured =
-      measure(input.points, options.runs, complex_options(input, options.threads, options.u2.options()), parts, made);
+      measure(input.points, options.runs, complex_options(input, options.u2.options()), parts, made);
   tell_of_many_cells(*measured.last);
   if (!options.output.empty()) write_records(options, measured);
   if (options.json) {
     print_compute_summary(input, measured, options.u2);
   } else if (!is_streamed) {
-    print_compute_table(display_name(options.input), input, measured, options.u2);
+    print_compute_table(input, measured, options.u2);
   }
 }
 
@@ -212,7 +209,7 @@ void add_export_options(CLI::App& command, ComputeOptions& options) {
 void add_compute_command(CLI::App& app) {
   auto options = std::make_shared<ComputeOptions>();
   CLI::App* command = app.add_subcommand("compute", "All critical points, and what flows from them and to them");
-  add_input_options(*command, options->input, options->reading,
+  add_input_options(*command, *options,
                     "Point file: XYZ/text, OFF, PLY or OBJ; or a molecule: PDB or mmCIF; also as .gz; - for standard "
                     "input");
   command->add_flag("--json", options->json, "Print one JSON object instead of the table");

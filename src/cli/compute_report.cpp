@@ -337,10 +337,9 @@ void print_counts(const PointSet& points, const StationaryPoints& stationary) {
 
 }  // namespace
 
-void print_compute_table(const std::string& name, const Input& input, const Measured& measured,
-                         const U2Choice& choice) {
+void print_compute_table(const Input& input, const Measured& measured, const U2Choice& choice) {
   const FlowComplex& complex = *measured.last;
-  print_wrapped(fmt::format("{} ({})", name, input.file.format));
+  print_input(input);
   print_counts(input.points, complex.stationary());
   if (measured.has_u2()) print_u2_rows(complex.unstable().statistics());
   if (measured.has_s2()) print_s2_rows(complex.stationary(), complex.stable());

@@ -31,9 +31,7 @@ struct U2Choice {
 [[nodiscard]] Table distribution_table();
 void add_distribution(Table& table, const char* name, const Distribution& distribution);
 
-// name: the display_name() of the input.
-void print_compute_table(const std::string& name, const Input& input, const Measured& measured, const U2Choice& choice);
-
+void print_compute_table(const Input& input, const Measured& measured, const U2Choice& choice);
 [[nodiscard]] Json compute_summary(const Input& input, const Measured& measured, const U2Choice& choice);
 void print_compute_summary(const Input& input, const Measured& measured, const U2Choice& choice);
 

@@ -21,9 +21,7 @@ namespace flowcert::cli {
 
 namespace {
 
-struct ExplainOptions {
-  std::string input;
-  ReadingOptions reading;
+struct ExplainOptions : InputOptions {
   std::vector<PointId> ids;
   std::string position;
   bool json = false;
@@ -114,7 +112,7 @@ std::string complaint_about_id(const std::string& word) {
 int explain(const ExplainOptions& options) {
   const bool by_position = !options.position.empty();
   const RationalPoint position = by_position ? parse_rational_point(options.position) : RationalPoint{};
-  const Input input = read_input(options.input, options.reading);
+  const Input input = read_input(options);
   const Explanation explanation = with_progress("explaining", [&] {
     return by_position ? explain_position(input.points, position) : explain_points(input.points, options.ids);
   });
@@ -134,7 +132,7 @@ int explain(const ExplainOptions& options) {
 void add_explain_command(CLI::App& app, int& status) {
   auto options = std::make_shared<ExplainOptions>();
   CLI::App* command = app.add_subcommand("explain", "Why points, or a position, are or are not stationary");
-  add_input_options(*command, options->input, options->reading);
+  add_input_options(*command, *options);
   auto* what = command->add_option_group("what", "One of");
   what->add_option("--ids", options->ids, "The points, by 0-based row: 3,17,20")
       ->delimiter(',')

@@ -31,7 +31,7 @@ const CLI::App* command_named(const CLI::App& app, const std::vector<std::string
 
 void print_help(const CLI::App& app, const std::vector<std::string>& words) {
   if (words.empty()) {
-    fmt::print("{}\n", wrapped("flowcert COMMAND --help tells of a command, flowcert help WORD what a word means:", 0));
+    print_wrapped("flowcert COMMAND --help tells of a command, flowcert help WORD what a word means:");
     fmt::print("{}\n", words_of_glossary());
     return;
   }

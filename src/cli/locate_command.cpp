@@ -24,13 +24,10 @@ namespace flowcert::cli {
 
 namespace {
 
-struct LocateOptions {
-  std::string input;
-  ReadingOptions reading;
+struct LocateOptions : InputOptions {
   std::string positions;
   std::string output;
   bool json = false;
-  unsigned threads = 1;
 };
 
 Json json_of(const FlowComplex& complex, const FlowPlace& place) {
@@ -83,8 +80,8 @@ void write_places(const FlowComplex& complex, const std::vector<Point>& position
   io::write_in_order(positions.size(), io::kShortRecords, complex.threads(), make, take);
 }
 
-void print_summary(const std::string& name, std::size_t positions, const Input& input, double seconds) {
-  print_wrapped(fmt::format("{} ({})", name, input.file.format));
+void print_summary(std::size_t positions, const Input& input, double seconds) {
+  print_input(input);
   print_point_counts(input.points);
   print_row("positions", with_commas(positions));
   print_row("time for them", seconds_text(seconds), "after all limits were made");
@@ -94,10 +91,10 @@ void locate_all(const LocateOptions& options) {
   if (options.input == kStandardStream && options.positions == kStandardStream) {
     throw InvalidInput("INPUT and --points cannot both be standard input");
   }
-  const Input input = read_input(options.input, options.reading);
-  if (input.points.empty()) throw InvalidInput(display_name(options.input) + ": there are no points");
+  const Input input = read_input(options);
+  if (input.points.empty()) throw InvalidInput(input.name + ": there are no points");
   const std::vector<Point> positions = read_points_aloud(options.positions).rows;
-  const FlowComplex complex(input.points, complex_options(input, options.threads), part_progress());
+  const FlowComplex complex(input.points, complex_options(input), part_progress());
   const bool is_streamed = options.output.empty() || options.output == kStandardStream;
   std::optional<OutputFile> file;
   if (!is_streamed) file.emplace(options.output);
@@ -109,7 +106,7 @@ void locate_all(const LocateOptions& options) {
   }
   if (is_streamed) return;
   file->commit();
-  print_summary(display_name(options.input), positions.size(), input,
+  print_summary(positions.size(), input,
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
 
@@ -118,7 +115,7 @@ void locate_all(const LocateOptions& options) {
 void add_locate_command(CLI::App& app) {
   auto options = std::make_shared<LocateOptions>();
   CLI::App* command = app.add_subcommand("locate", "Where the flow takes many positions; their nearest samples");
-  add_input_options(*command, options->input, options->reading);
+  add_input_options(*command, *options);
   command->add_option("--points", options->positions, "The positions: a point file, or - for standard input")
       ->type_name("FILE")
       ->required();

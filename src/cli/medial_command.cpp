@@ -25,14 +25,11 @@ namespace flowcert::cli {
 
 namespace {
 
-struct MedialOptions {
-  std::string input;
-  ReadingOptions reading;
+struct MedialOptions : InputOptions {
   std::optional<std::string> persistence, radius, angle;
   std::string directory;
   std::string clip = "3";
   bool json = false;
-  unsigned threads = 1;
 };
 
 MedialChoice choice_of(const MedialOptions& options) {
@@ -93,7 +90,7 @@ void print_result(const MedialOptions& options, const Input& input, const FlowCo
     fmt::print("{}\n", json.dump());
     return;
   }
-  print_wrapped(fmt::format("{} ({})", display_name(options.input), input.file.format));
+  print_input(input);
   print_point_counts(input.points);
   if (medial.automatic_persistence) print_automatic("persistence", *medial.automatic_persistence, "all are taken");
   if (medial.automatic_radius) print_automatic("radii", *medial.automatic_radius, "all are taken");
@@ -105,11 +102,11 @@ void print_result(const MedialOptions& options, const Input& input, const FlowCo
 void run_medial(const MedialOptions& options) {
   const MedialChoice choice = choice_of(options);
   const std::optional<Rational> clip = clip_factor(options.clip);
-  const Input input = read_input(options.input, options.reading);
-  const FlowComplex complex(input.points, complex_options(input, options.threads), part_progress());
+  const Input input = read_input(options);
+  const FlowComplex complex(input.points, complex_options(input), part_progress());
   const MedialPoints medial = medial_points(complex, choice);
   if (!options.directory.empty()) {
-    naming(display_name(options.input), [&] { write_files(options, complex, medial.records, clip); });
+    naming(input.name, [&] { write_files(options, complex, medial.records, clip); });
   }
   print_result(options, input, complex, medial);
 }
@@ -119,7 +116,7 @@ void run_medial(const MedialOptions& options) {
 void add_medial_command(CLI::App& app) {
   auto options = std::make_shared<MedialOptions>();
   CLI::App* command = app.add_subcommand("medial", "The medial axis: what flows from chosen saddles, for viewers");
-  add_input_options(*command, options->input, options->reading);
+  add_input_options(*command, *options);
   command
       ->add_option("--persistence", options->persistence,
                    "Only saddles whose pairs are longer, a difference of distances: a number, Xspacing, qX "

@@ -16,13 +16,10 @@ namespace flowcert::cli {
 
 namespace {
 
-struct OrbitOptions {
-  std::string input;
-  ReadingOptions reading;
+struct OrbitOptions : InputOptions {
   std::string start;
   bool json = false;
   FlowChoice flow;
-  unsigned threads = 1;
 };
 
 // Longer exact numbers are shown as doubles.
@@ -88,12 +85,11 @@ void print_json(const Orbit& orbit, const Input& input) {
 
 void print_orbit(const OrbitOptions& options) {
   const RationalPoint start = naming("--from", [&] { return parse_rational_point(options.start); });
-  const Input input = read_input(options.input, options.reading);
+  const Input input = read_input(options);
   if (input.points.empty()) {
-    throw InvalidInput(fmt::format("{}: there are no points", display_name(options.input)));
+    throw InvalidInput(fmt::format("{}: there are no points", input.name));
   }
-  const FlowComplex complex(input.points, complex_options(input, options.threads, options.flow.options()),
-                            part_progress());
+  const FlowComplex complex(input.points, complex_options(input, options.flow.options()), part_progress());
   const Orbit orbit = with_progress("following the orbit", [&] { return complex.orbit(start); });
   if (options.json) {
     print_json(orbit, input);
@@ -107,7 +103,7 @@ void print_orbit(const OrbitOptions& options) {
 void add_orbit_command(CLI::App& app) {
   auto options = std::make_shared<OrbitOptions>();
   CLI::App* command = app.add_subcommand("orbit", "Where the flow takes a position, segment by segment");
-  add_input_options(*command, options->input, options->reading);
+  add_input_options(*command, *options);
   command
       ->add_option("--from", options->start,
                    "The position: decimals (the nearest doubles), hex floats or fractions p/q (exact)")

@@ -29,15 +29,12 @@ namespace flowcert::cli {
 
 namespace {
 
-struct PersistenceOptions {
-  std::string input;
-  ReadingOptions reading;
+struct PersistenceOptions : InputOptions {
   std::string output;
   bool json = false;
   bool is_plain = false;
   bool with_zero = false;
   std::uint64_t seed = 0;
-  unsigned threads = 1;
 };
 
 // Pairs of one dimension.
@@ -135,9 +132,9 @@ void print_choices(const char* name, std::size_t count, const char* remark) {
   if (count > 0) print_row(name, with_commas(count), remark);
 }
 
-void print_table(const std::string& name, const Input& input, const Measured& measured, bool with_zero) {
+void print_table(const Input& input, const Measured& measured, bool with_zero) {
   const FlowComplex& complex = *measured.last;
-  print_wrapped(fmt::format("{} ({})", name, input.file.format));
+  print_input(input);
   print_point_counts(input.points);
   constexpr const char* kNames[] = {"components", "tunnels", "voids"};
   std::size_t zero = 0;
@@ -207,9 +204,9 @@ void print_persistence(const PersistenceOptions& options) {
   if (options.output == kStandardStream && options.json) {
     throw InvalidInput("-o - and --json would both write to standard output");
   }
-  const Input input = read_input(options.input, options.reading);
+  const Input input = read_input(options);
   const Measured measured =
-      measure(input.points, 1, complex_options(input, options.threads, {.seed = options.seed}),
+      measure(input.points, 1, complex_options(input, {.seed = options.seed}),
               {FlowComplexPart::kUnstable, FlowComplexPart::kStable, FlowComplexPart::kPersistence});
   const FlowComplex& complex = *measured.last;
   tell_of_many_cells(complex);
@@ -220,7 +217,7 @@ void print_persistence(const PersistenceOptions& options) {
   if (options.json) {
     print_json(input, measured, diagram, options.seed);
   } else if (!is_streamed) {
-    print_table(display_name(options.input), input, measured, options.with_zero);
+    print_table(input, measured, options.with_zero);
   }
 }
 
@@ -237,7 +234,7 @@ std::string complaint_about_seed(const std::string& text) {
 void add_persistence_command(CLI::App& app) {
   auto options = std::make_shared<PersistenceOptions>();
   CLI::App* command = app.add_subcommand("persistence", "Persistence of the distance: components, tunnels, voids");
-  add_input_options(*command, options->input, options->reading);
+  add_input_options(*command, *options);
   CLI::Option* output =
       command
           ->add_option("-o,--output", options->output,

@@ -29,9 +29,7 @@ namespace flowcert::cli {
 
 namespace {
 
-struct PocketsOptions {
-  std::string input;
-  ReadingOptions reading;
+struct PocketsOptions : InputOptions {
   std::string persistence = "auto";
   std::string probe;
   std::string volumes = "double";
@@ -39,7 +37,6 @@ struct PocketsOptions {
   std::string directory, csv, atoms_csv;
   bool json = false;
   bool all = false;
-  unsigned threads = 1;
 };
 
 // ---- What is computed ----
@@ -53,7 +50,7 @@ std::optional<Probe> probe_of(const std::string& text) {
 
 struct PocketsRun {
   PocketsRun(const Input& input, const PocketsOptions& options)
-      : complex(input.points, complex_options(input, options.threads), part_progress()) {
+      : complex(input.points, complex_options(input), part_progress()) {
     const ProgressLine progress("computing");
     using Clock = std::chrono::steady_clock;
     Clock::time_point start = Clock::now();
@@ -123,7 +120,7 @@ bool write_csv(const std::string& path, const PocketsToWrite& what,
 // ---- The command ----
 
 void print_tree(const PocketsOptions& options, const Input& input) {
-  const FlowComplex complex(input.points, complex_options(input, options.threads), part_progress());
+  const FlowComplex complex(input.points, complex_options(input), part_progress());
   const TreeKind kind = options.tree == "pockets" ? TreeKind::kPockets : TreeKind::kComponents;
   if (options.json) {
     write_merge_tree(std::cout, complex, kind);
@@ -138,17 +135,17 @@ void run_pockets(const PocketsOptions& options) {
   if ((options.csv == kStandardStream) + (options.atoms_csv == kStandardStream) + options.json > 1) {
     throw InvalidInput("only one of --csv, --atoms-csv and --json can write to standard output");
   }
-  const Input input = read_input(options.input, options.reading);
+  const Input input = read_input(options);
   if (!options.tree.empty()) return print_tree(options, input);
   const AtomNames* const atoms = input.file.atoms.empty() ? nullptr : &input.file.atoms;
   if (!options.atoms_csv.empty() && atoms == nullptr) {
-    throw InvalidInput(fmt::format("{}: --atoms-csv is for PDB, CIF and chemical XYZ, and this is {}",
-                                   display_name(options.input), input.file.format));
+    throw InvalidInput(
+        fmt::format("{}: --atoms-csv is for PDB, CIF and chemical XYZ, and this is {}", input.name, input.file.format));
   }
   const PocketsRun run(input, options);
   const PocketsToWrite what{run.complex, *run.pockets, probe, options.volumes == "exact", atoms};
   if (!options.directory.empty()) {
-    naming(display_name(options.input), [&] { write_files(options, run, what); });
+    naming(input.name, [&] { write_files(options, run, what); });
   }
   const bool is_rows_printed = write_csv(options.csv, what, write_pocket_csv);
   const bool is_lining_printed = write_csv(options.atoms_csv, what, write_lining_csv);
@@ -157,8 +154,7 @@ void run_pockets(const PocketsOptions& options) {
     write_pockets(std::cout, what);
     std::cout.flush();
   } else if (!is_rows_printed && !is_lining_printed) {
-    print_pockets_report({display_name(options.input), input, what, run.automatic, options.all, run.delaunay_seconds,
-                          run.other_seconds});
+    print_pockets_report({input, what, run.automatic, options.all, run.delaunay_seconds, run.other_seconds});
   }
 }
 
@@ -167,7 +163,7 @@ void run_pockets(const PocketsOptions& options) {
 void add_pockets_command(CLI::App& app) {
   auto options = std::make_shared<PocketsOptions>();
   CLI::App* command = app.add_subcommand("pockets", "Cavities, pockets and channels between points; merge trees");
-  add_input_options(*command, options->input, options->reading);
+  add_input_options(*command, *options);
   command
       ->add_option("--persistence", options->persistence,
                    "Tell pockets that are deeper than this, a difference of distances, and merge others: a number, "

@@ -53,7 +53,7 @@ class Report {
   }
 
   void print() const {
-    print_wrapped(fmt::format("{} ({})", report_.name, report_.input.file.format));
+    print_input(report_.input);
     print_what_distances_mean();
     print_counts();
     if (pockets_.size() == 0) return print_that_there_is_none();

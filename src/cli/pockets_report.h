@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "cli/command.h"
 #include "cli/layer.h"
@@ -14,7 +13,6 @@
 namespace flowcert::cli {
 
 struct PocketsReport {
-  std::string name;  // of the file
   const Input& input;
   const PocketsToWrite& what;
   std::optional<AutomaticThreshold> automatic;

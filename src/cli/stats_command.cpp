@@ -27,14 +27,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct StatsOptions {
-  std::string input;
-  ReadingOptions reading;
+struct StatsOptions : InputOptions {
   std::string svg_directory;
   bool json = false;
   bool logarithmic = false;
   unsigned runs = 1;
-  unsigned threads = 1;
   std::vector<std::string> manifolds = {"u2", "s2"};
   U2Choice u2{.flow = {}, .alone = false, .with_statistics = true};
 };
@@ -80,8 +77,7 @@ std::vector<Shown> histograms_of(const Measured& measured, bool logarithmic) {
 
 void print_text(const StatsOptions& options, const Input& input, const Measured& measured,
                 const std::vector<Shown>& all) {
-  print_wrapped(
-      fmt::format("{} ({}), kernel {}\n", display_name(options.input), input.file.format, options.u2.flow.kernel));
+  print_wrapped(fmt::format("{} ({}), kernel {}\n", input.name, input.file.format, options.u2.flow.kernel));
   Table table = distribution_table();
   for (const Shown& shown : all) add_distribution(table, shown.name, shown.distribution);
   table.print();
@@ -116,9 +112,9 @@ void write_pictures(const StatsOptions& options, const std::vector<Shown>& all) 
 }
 
 void show_statistics(const StatsOptions& options) {
-  const Input input = read_input(options.input, options.reading);
+  const Input input = read_input(options);
   if (!options.svg_directory.empty()) make_directory(options.svg_directory);
-  const FlowOptions how = complex_options(input, options.threads, options.u2.options());
+  const FlowOptions how = complex_options(input, options.u2.options());
   const Measured measured = measure(input.points, options.runs, how, wanted_parts(options));
   const std::vector<Shown> all = histograms_of(measured, options.logarithmic);
   if (!options.svg_directory.empty()) write_pictures(options, all);
@@ -134,7 +130,7 @@ void show_statistics(const StatsOptions& options) {
 void add_stats_command(CLI::App& app) {
   auto options = std::make_shared<StatsOptions>();
   CLI::App* command = app.add_subcommand("stats", "Histograms of what flows: lengths of cascades, sizes of numbers");
-  add_input_options(*command, options->input, options->reading);
+  add_input_options(*command, *options);
   command->add_flag("--json", options->json, "Print one JSON object instead of the bars");
   command->add_flag("--log", options->logarithmic, "Logarithmic bars in all histograms, not only for sizes of numbers");
   command->add_option("--svg", options->svg_directory,

@@ -26,13 +26,10 @@ namespace flowcert::cli {
 
 namespace {
 
-struct SurfaceOptions {
-  std::string input;
-  ReadingOptions reading;
+struct SurfaceOptions : InputOptions {
   std::string output;
   std::vector<std::string> selections;
   bool json = false;
-  unsigned threads = 1;
 };
 
 using Write = void (*)(std::ostream&, const SurfaceMesh&, const std::string&);
@@ -109,7 +106,7 @@ void print_radius_bars(const morse::SaddleRadii& radii, const std::optional<Rati
 
 void print_table(const Surface& surface) {
   const SurfaceThresholds& thresholds = surface.selected.thresholds;
-  print_wrapped(fmt::format("{} ({})", display_name(surface.options.input), surface.input.file.format));
+  print_input(surface.input);
   print_row("points", with_commas(surface.input.points.row_count()));
   print_row("surfaces S2", with_commas(surface.complex.stationary().critical_counts()[2]), "of all index-2 saddles");
   print_row("selected", with_commas(surface.selected.sets.size()));
@@ -164,11 +161,11 @@ void write_surface(const SurfaceOptions& options) {
   (void)writer_for(options.output);
   const bool is_streamed = options.output == kStandardStream;
   if (is_streamed && options.json) throw InvalidInput("-o - and --json would both write to standard output");
-  const Input input = read_input(options.input, options.reading);
-  const FlowComplex complex(input.points, complex_options(input, options.threads), part_progress());
+  const Input input = read_input(options);
+  const FlowComplex complex(input.points, complex_options(input), part_progress());
   const auto radii = with_progress("computing", [&] { return morse::SaddleRadii(complex); });
   const SelectedSets selected = with_progress("computing", [&] { return selection.select(complex, radii); });
-  const SurfaceMesh mesh = naming(display_name(options.input), [&] {
+  const SurfaceMesh mesh = naming(input.name, [&] {
     ProgressLine progress("surface");
     return surface_mesh(complex, selected.sets, std::ref(progress));
   });
@@ -186,7 +183,7 @@ void write_surface(const SurfaceOptions& options) {
 void add_surface_command(CLI::App& app) {
   auto options = std::make_shared<SurfaceOptions>();
   CLI::App* command = app.add_subcommand("surface", "Stable manifolds of index-2 points as a surface, all or selected");
-  add_input_options(*command, options->input, options->reading);
+  add_input_options(*command, *options);
   command
       ->add_option("--select", options->selections,
                    "Only those with index2-radius<R, persistence>X (a difference of distances), or largest-gaps=N, the "

@@ -131,9 +131,9 @@ std::vector<std::string> lines_of(const FailedCase& failed, std::size_t most) {
 
 void print_failure(const Verification& verification, std::size_t number, const FailedCase& failed) {
   const std::string family = verification.cases().family(number);
-  fmt::print("{}\n", wrapped(fmt::format("case {} ({}) {}", failed.id, family, verdict_of(failed)), kVerifyIndent));
+  print_wrapped(fmt::format("case {} ({}) {}", failed.id, family, verdict_of(failed)), kVerifyIndent);
   for (const std::string& line : lines_of(failed, kMostFindingsShown)) {
-    fmt::print("{}\n", wrapped("  " + with_short_numbers(line), kVerifyIndent));
+    print_wrapped("  " + with_short_numbers(line), kVerifyIndent);
   }
   fmt::print("  its points: {}\n", verification.cases().points_command(number));
   const auto named = std::ranges::find_if(failed.findings, [](const Finding& one) { return !one.contact.empty(); });
@@ -196,7 +196,7 @@ void print_failures(const Verification& verification, std::size_t most) {
 // It comes before all tables, because cases without an answer are in no row of the first one.
 // cut: where the input broke off, or empty.
 void print_unanswered(const Verification& verification, const std::string& cut) {
-  if (!cut.empty()) fmt::print("{}\n\n", wrapped(cut, kVerifyIndent));
+  if (!cut.empty()) print_wrapped(cut + "\n", kVerifyIndent);
   const auto ranges = verification.unanswered_ranges();
   if (ranges.empty()) return;
   std::string list;

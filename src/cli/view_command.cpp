@@ -25,16 +25,13 @@ namespace flowcert::cli {
 
 namespace {
 
-struct ViewCommandOptions {
-  std::string input;
-  ReadingOptions reading;
+struct ViewCommandOptions : InputOptions {
   std::string output;
   std::string claim;
   CheckOptions check;
   bool is_strict = false;
   std::string pockets;
   ViewerOptions content;
-  unsigned threads = 1;
 };
 
 // "bunny.obj.gz" gives "bunny.html", in the current folder.
@@ -106,7 +103,7 @@ int view(ViewCommandOptions options) {
   }
   std::optional<Claim> claim;
   if (!options.claim.empty()) claim = read_claim(options.claim);
-  const Input input = read_input(options.input, options.reading);
+  const Input input = read_input(options);
   if (claim) require_rows(*claim, input.points, display_name(options.claim));
   if (options.output.empty()) {
     options.output = page_beside(options.input);
@@ -115,14 +112,14 @@ int view(ViewCommandOptions options) {
       throw InvalidInput(fmt::format("{}: the page would replace these points; name it with -o", options.input));
     }
   }
-  const FlowComplex complex(input.points, complex_options(input, options.threads), part_progress());
+  const FlowComplex complex(input.points, complex_options(input), part_progress());
   tell_of_many_cells(complex);
   std::optional<Pockets> pockets;
   if (!options.pockets.empty()) {
     pockets.emplace(complex.merge_trees(), pocket_persistence(complex, options.pockets, "--pockets").square);
   }
   ViewerOptions& content = options.content;
-  content.name = display_name(options.input);
+  content.name = input.name;
   if (!input.file.atoms.empty()) content.atoms = &input.file.atoms;
   if (pockets) content.pockets = &*pockets;
   int status = kRight;
@@ -142,7 +139,7 @@ void add_view_command(CLI::App& app, int& status) {
   auto options = std::make_shared<ViewCommandOptions>();
   constexpr std::size_t kMost = 0xfffffff;
   CLI::App* command = app.add_subcommand("view", kViewPurpose);
-  add_input_options(*command, options->input, options->reading);
+  add_input_options(*command, *options);
   command
       ->add_option("-o,--output", options->output,
                    "Write the page to this file; -: to standard output; without this, INPUT's name with .html, in the "
