@@ -4,14 +4,11 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <pthread.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <condition_variable>
-#include <csignal>
 #include <mutex>
-#include <system_error>
 #include <utility>
 
 #include "io/number_text.h"
@@ -48,21 +45,7 @@ CaseProgress::CaseProgress(std::string what, int stream, PlaceInPipe place)
   if (::isatty(STDERR_FILENO) == 0) return;
   if (place_ == PlaceInPipe::kLast) hold_terminal();
   shown_ = std::make_unique<ProgressLine>(what_, stream_);
-  // Signals go to the thread that works.
-  sigset_t all, usual;
-  ::sigfillset(&all);
-  ::pthread_sigmask(SIG_SETMASK, &all, &usual);
-  try {
-    showing_ = std::jthread([this](const std::stop_token& stop) { show_until(stop); });
-  } catch (const std::system_error&) {
-    // There is no thread to be had. The line stays as it is.
-  }
-  ::pthread_sigmask(SIG_SETMASK, &usual, nullptr);
-}
-
-CaseProgress::~CaseProgress() {
-  showing_.request_stop();
-  if (showing_.joinable()) showing_.join();
+  showing_ = thread_without_signals([this](const std::stop_token& stop) { show_until(stop); });
 }
 
 std::string CaseProgress::text() const {

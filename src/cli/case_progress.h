@@ -22,7 +22,6 @@ class CaseProgress {
  public:
   // `stream` as for ProgressLine.
   CaseProgress(std::string what, int stream, PlaceInPipe place);
-  ~CaseProgress();
   CaseProgress(const CaseProgress&) = delete;
   CaseProgress& operator=(const CaseProgress&) = delete;
 
@@ -43,7 +42,7 @@ class CaseProgress {
   std::atomic<std::size_t> done_{0}, total_{0}, wrong_{0};
   // A line needs a moment before it shows. Until then the one before does.
   std::unique_ptr<ProgressLine> before_, shown_;
-  std::jthread showing_;
+  std::jthread showing_;  // the last member, so that it ends before the lines do
 };
 
 }  // namespace flowcert::cli

@@ -34,9 +34,7 @@ struct ComputeOptions : InputOptions {
   bool json = false;
   unsigned runs = 1;
   std::vector<std::string> manifolds;  // "u2", "s2", "all"
-  bool polylines = false;
-  bool skeletons = false;
-  bool sheets = false;
+  RecordsToWrite records;              // what the options say of them
   std::string centers = "exact";
   std::string volumes;  // "double", "shares", "exact", or none
   std::string export_directory;
@@ -73,10 +71,10 @@ std::vector<FlowComplexPart> wanted_parts(const ComputeOptions& options) {
   const bool all = has_word(options.manifolds, "all");
   const bool u2 = all || has_word(options.manifolds, "u2") || exports(options, "lines");
   const bool s2 = all || has_word(options.manifolds, "s2") || exports(options, "surfaces");
-  if (options.polylines && !u2) throw InvalidInput("--polylines: needs --manifolds u2");
+  if (options.records.polylines && !u2) throw InvalidInput("--polylines: needs --manifolds u2");
   if (options.u2.alone && !u2) throw InvalidInput("--alone: needs --manifolds u2");
-  if (options.skeletons && !s2) throw InvalidInput("--skeletons: needs --manifolds s2");
-  if (options.sheets && !all) throw InvalidInput("--sheets: needs --manifolds all");
+  if (options.records.skeletons && !s2) throw InvalidInput("--skeletons: needs --manifolds s2");
+  if (options.records.sheets && !all) throw InvalidInput("--sheets: needs --manifolds all");
   for (const char* file : {"cells", "fans", "infinity", "sheets"}) {
     if (has_word(options.only, file) && !all) {
       throw InvalidInput(fmt::format("--only: {} needs --manifolds all", file));
@@ -104,14 +102,12 @@ void write_records(const ComputeOptions& options, const Measured& measured) {
   std::optional<OutputFile> file;
   if (options.output != kStandardStream) file.emplace(options.output);
   ProgressLine progress("writing exact records", file ? -1 : STDOUT_FILENO);
-  const RecordsToWrite wanted = {.u2 = measured.has_u2(),
-                                 .polylines = options.polylines,
-                                 .s2 = measured.has_s2(),
-                                 .skeletons = options.skeletons,
-                                 .centers = written_centers(options.centers),
-                                 .all = measured.has_all(),
-                                 .volumes = written_volumes(options.volumes),
-                                 .sheets = options.sheets};
+  RecordsToWrite wanted = options.records;
+  wanted.u2 = measured.has_u2();
+  wanted.s2 = measured.has_s2();
+  wanted.all = measured.has_all();
+  wanted.centers = written_centers(options.centers);
+  wanted.volumes = written_volumes(options.volumes);
   write_stationary_points(file ? file->stream() : std::cout, *measured.last, wanted, std::ref(progress));
   if (file) file->commit();
 }
@@ -164,17 +160,18 @@ void add_manifold_options(CLI::App& command, ComputeOptions& options, CLI::Optio
       ->needs(manifolds)
       ->needs(output);
   command
-      .add_flag("--polylines", options.polylines, "Write each U2 to the file of -o, as exact polylines: a large file")
+      .add_flag("--polylines", options.records.polylines,
+                "Write each U2 to the file of -o, as exact polylines: a large file")
       ->needs(manifolds)
       ->needs(output);
   command
-      .add_flag("--skeletons", options.skeletons,
+      .add_flag("--skeletons", options.records.skeletons,
                 "Write each S2, and the stable sets of regular stationary points, to the file of -o, exactly; with "
                 "--manifolds all also each S3, and what flows to infinity")
       ->needs(manifolds)
       ->needs(output);
   command
-      .add_flag("--sheets", options.sheets,
+      .add_flag("--sheets", options.records.sheets,
                 "Write each U1, and the unstable sets of regular stationary points of the kinds 1-2 and 1-3, to the "
                 "file of -o, exactly, with --manifolds all: a very large file")
       ->needs(manifolds)

@@ -16,7 +16,7 @@ using Words = std::vector<std::string>;
 // ---- Names of files ----
 
 struct FileValue {
-  const char* name;  // of an option or a positional argument, of a command that is named before it, or of any
+  Words names;  // of options or positional arguments, of a command that is named before one, or of any
   Completed completed;
   Words endings;
 };
@@ -31,39 +31,27 @@ const std::vector<FileValue>& file_values() {
   static const Words points = also_compressed(
       {"xyz", "txt", "asc", "csv", "pts", "off", "ply", "obj", "pcd", "npy", "pdb", "ent", "cif", "mmcif"});
   static const Words claims = also_compressed({"jsonl", "json", "csv", "vtp", "txt", "pers"});
-  static const std::vector<FileValue> values = {{"INPUT", Completed::kFiles, points},
-                                                {"POINTS", Completed::kFiles, points},
-                                                {"CLAIM", Completed::kFiles, claims},
-                                                {"--claim", Completed::kFiles, claims},
-                                                {"compute --output", Completed::kFiles, {"jsonl"}},
-                                                {"locate --points", Completed::kFiles, points},
-                                                {"locate --output", Completed::kFiles, {"txt", "jsonl"}},
-                                                {"persistence --output", Completed::kFiles, {"pers"}},
-                                                {"pockets --csv", Completed::kFiles, {"csv"}},
-                                                {"pockets --atoms-csv", Completed::kFiles, {"csv"}},
-                                                {"surface --output", Completed::kFiles, {"ply", "off"}},
-                                                {"view --output", Completed::kFiles, {"html"}},
-                                                {"--report", Completed::kFiles, {"html"}},
-                                                {"--junit", Completed::kFiles, {"xml"}},
-                                                {"--replay", Completed::kFiles, points},
-                                                {"--known", Completed::kFiles, {}},
-                                                {"--asked", Completed::kFiles, {}},
-                                                {"--export", Completed::kFolders, {}},
-                                                {"--svg", Completed::kFolders, {}},
-                                                {"--keep", Completed::kFolders, {}},
-                                                {"--out", Completed::kFolders, {}},
-                                                {"--resume", Completed::kFolders, {}},
-                                                {"--corpus", Completed::kFolders, {}},
-                                                {"--vectors", Completed::kFolders, {}},
-                                                {"FOLDER", Completed::kFolders, {}},
-                                                {"DIR", Completed::kFolders, {}}};
+  static const std::vector<FileValue> values = {
+      {{"INPUT", "POINTS", "locate --points", "--replay"}, Completed::kFiles, points},
+      {{"CLAIM", "--claim"}, Completed::kFiles, claims},
+      {{"compute --output"}, Completed::kFiles, {"jsonl"}},
+      {{"locate --output"}, Completed::kFiles, {"txt", "jsonl"}},
+      {{"persistence --output"}, Completed::kFiles, {"pers"}},
+      {{"pockets --csv", "pockets --atoms-csv"}, Completed::kFiles, {"csv"}},
+      {{"surface --output"}, Completed::kFiles, {"ply", "off"}},
+      {{"view --output", "--report"}, Completed::kFiles, {"html"}},
+      {{"--junit"}, Completed::kFiles, {"xml"}},
+      {{"--known", "--asked"}, Completed::kFiles, {}},
+      {{"--export", "--svg", "--keep", "--out", "--resume", "--corpus", "--vectors", "FOLDER", "DIR"},
+       Completed::kFolders,
+       {}}};
   return values;
 }
 
 void take_file_value(DescribedOption& option, const std::string& command) {
   const std::string& name = option.names.back();
   for (const FileValue& value : file_values()) {
-    if (value.name != name && value.name != command + ' ' + name) continue;
+    if (std::ranges::count(value.names, name) + std::ranges::count(value.names, command + ' ' + name) == 0) continue;
     option.completed = value.completed;
     option.endings = value.endings;
   }

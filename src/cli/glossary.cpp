@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <ranges>
 #include <vector>
 
 #include "cli/wrapped_text.h"
@@ -190,8 +191,7 @@ std::string nearest_words(std::string_view word) {
 }
 
 std::string words_of_glossary() {
-  std::vector<std::string_view> words;
-  for (const GlossaryEntry& entry : kEntries) words.emplace_back(entry.word);
+  const auto words = kEntries | std::views::transform(&GlossaryEntry::word);
   return wrapped(fmt::format("{}", fmt::join(words, ", ")), 0);
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <boost/algorithm/string.hpp>
 #include <cstdint>
+#include <map>
 
 #include "cli/wrapped_text.h"
 
@@ -31,25 +32,16 @@ std::string roff_character(const std::string& text, std::size_t& at) {
 }
 
 std::string roff(const std::string& text) {
+  static const std::map<char, std::string> escapes = {{'\\', "\\e"},  {'-', "\\-"},   {'\'', "\\(aq"},
+                                                      {'`', "\\(ga"}, {'^', "\\(ha"}, {'~', "\\(ti"}};
   std::string escaped;
   for (std::size_t at = 0; at < text.size(); ++at) {
-    const char c = text[at];
-    if (c == '\\') {
-      escaped += "\\e";
-    } else if (c == '-') {
-      escaped += "\\-";
-    } else if (c == '\'') {
-      escaped += "\\(aq";
-    } else if (c == '`') {
-      escaped += "\\(ga";
-    } else if (c == '^') {
-      escaped += "\\(ha";
-    } else if (c == '~') {
-      escaped += "\\(ti";
-    } else if (static_cast<unsigned char>(c) >= 0x80) {
+    if (const auto escape = escapes.find(text[at]); escape != escapes.end()) {
+      escaped += escape->second;
+    } else if (static_cast<unsigned char>(text[at]) >= 0x80) {
       escaped += roff_character(text, at);
     } else {
-      escaped += c;
+      escaped += text[at];
     }
   }
   return escaped;

@@ -45,7 +45,8 @@ class Screen {
   void add(const ProgressLine& line) {
     const std::scoped_lock lock(mutex_);
     lines_.push_back(&line);
-    if (lines_.size() == 1) start_drawing();
+    if (lines_.size() == 1)
+      drawing_ = thread_without_signals([this](const std::stop_token& stop) { draw_until(stop); });
   }
 
   void remove(const ProgressLine& line) {
@@ -62,19 +63,6 @@ class Screen {
   }
 
  private:
-  // Signals go to the threads that work: OutputFile removes its temporary file in a handler.
-  void start_drawing() {
-    sigset_t all, before;
-    ::sigfillset(&all);
-    ::pthread_sigmask(SIG_SETMASK, &all, &before);
-    try {
-      drawing_ = std::jthread([this](const std::stop_token& stop) { draw_until(stop); });
-    } catch (const std::system_error&) {
-      // There is no thread to be had. The work goes on without a line.
-    }
-    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  }
-
   void draw_until(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     while (!stop.stop_requested()) {
@@ -107,6 +95,20 @@ class Screen {
 };
 
 }  // namespace
+
+std::jthread thread_without_signals(const std::function<void(const std::stop_token& stop)>& work) {
+  std::jthread thread;
+  sigset_t all, before;
+  ::sigfillset(&all);
+  ::pthread_sigmask(SIG_SETMASK, &all, &before);
+  try {
+    thread = std::jthread(work);
+  } catch (const std::system_error&) {
+    // The work goes on without it.
+  }
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  return thread;
+}
 
 ProgressLine::ProgressLine(std::string what, int stream)
     : what_(std::move(what)), is_shown_(::isatty(STDERR_FILENO) == 1 && ::isatty(stream) == 0) {

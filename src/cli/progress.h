@@ -14,15 +14,21 @@
 #include <atomic>
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "cli/layer.h"
 #include "flowcert/flow_complex.h"
 
 namespace flowcert::cli {
+
+// A thread that is given no signal: those go to the threads that work, because OutputFile removes its temporary file in
+// a handler. Not joinable where there is no thread to be had.
+[[nodiscard]] std::jthread thread_without_signals(const std::function<void(const std::stop_token& stop)>& work);
 
 class ProgressLine {
  public:

@@ -1,5 +1,7 @@
 #include "cli/xml_text.h"
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include "cli/layer.h"
 #include "io/foreign_text.h"
 
@@ -9,25 +11,11 @@ namespace {
 
 // XML 1.0 has no control characters, and is UTF-8 here.
 std::string xml_line(std::string_view line) {
-  std::string escaped;
-  for (const char c : io::on_one_line(line)) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
+  std::string escaped = io::on_one_line(line);
+  boost::algorithm::replace_all(escaped, "&", "&amp;");
+  boost::algorithm::replace_all(escaped, "<", "&lt;");
+  boost::algorithm::replace_all(escaped, ">", "&gt;");
+  boost::algorithm::replace_all(escaped, "\"", "&quot;");
   return escaped;
 }
 
