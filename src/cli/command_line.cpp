@@ -95,19 +95,21 @@ std::string list_of_groups(const DescribedCommand& command) {
   return text;
 }
 
-// Commands in their groups, in the order in which they were added. Their names are short, so that each has one line.
+// Groups of commands, each with a line for every command of it, in the order in which their first ones were added.
+std::vector<std::pair<std::string, std::string>> lines_by_group(const DescribedCommand& program, std::size_t width) {
+  std::vector<std::pair<std::string, std::string>> groups;
+  for (const DescribedCommand& command : program.commands) {
+    auto group = std::ranges::find(groups, command.group, &std::pair<std::string, std::string>::first);
+    if (group == groups.end()) group = groups.insert(group, {command.group, ""});
+    group->second += two_columns("  " + command.last_name(), width, command.description);
+  }
+  return groups;
+}
+
+// The names of commands are short, so that each has one line.
 std::string list_of_commands(const DescribedCommand& command) {
-  std::vector<std::string> groups;
-  for (const DescribedCommand& below : command.commands) {
-    if (std::ranges::find(groups, below.group) == groups.end()) groups.push_back(below.group);
-  }
   std::string text;
-  for (const std::string& group : groups) {
-    text += fmt::format("\n{}:\n", group);
-    for (const DescribedCommand& below : command.commands) {
-      if (below.group == group) text += two_columns("  " + below.last_name(), kCommands, below.description);
-    }
-  }
+  for (const auto& [group, lines] : lines_by_group(command, kCommands)) text += fmt::format("\n{}:\n{}", group, lines);
   return text;
 }
 
@@ -138,8 +140,7 @@ class HelpFormatter : public CLI::Formatter {
                        (notes.empty() ? "" : "\n\n") + below_heading("More examples", examples.subspan(first));
     help.erase(help.find_last_not_of('\n') + 1);
     help += '\n';
-    std::vector<std::string> lines;
-    boost::algorithm::split(lines, help, [](char c) { return c == '\n'; });
+    std::vector<std::string> lines = split_lines(help);
     for (std::string& line : lines) line = wrapped(line, indent_of(line));
     return boost::algorithm::join(lines, "\n");
   }
@@ -158,15 +159,9 @@ std::string overview(const CLI::App& app) {
   std::size_t width = 0;
   for (const DescribedCommand& command : program.commands) width = std::max(width, command.last_name().size());
   std::string text = fmt::format("{}\n{} COMMAND --help tells more.\n", program.description, program.name);
-  // A group stands where its first command does, and has all of its commands.
-  std::vector<std::pair<std::string, std::string>> groups;
-  for (const DescribedCommand& command : program.commands) {
-    if (command.group == kSetUpGroup) continue;
-    auto group = std::ranges::find(groups, command.group, &std::pair<std::string, std::string>::first);
-    if (group == groups.end()) group = groups.insert(group, {command.group, ""});
-    group->second += fmt::format("  {:<{}}  {}\n", command.last_name(), width, command.description);
+  for (const auto& [group, lines] : lines_by_group(program, width + 4)) {
+    if (group != kSetUpGroup) text += group + '\n' + lines;
   }
-  for (const auto& [name, lines] : groups) text += name + '\n' + lines;
   text += "Begin with\n";
   for (const std::string& example : program.footer.examples) text += fmt::format("  {}\n", example);
   return text;

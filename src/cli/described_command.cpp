@@ -7,6 +7,8 @@
 #include <set>
 #include <string_view>
 
+#include "cli/wrapped_text.h"
+
 namespace flowcert::cli {
 
 namespace {
@@ -127,11 +129,8 @@ void add_options(DescribedCommand& command, const CLI::App& app, const CLI::App&
 
 DescribedFooter footer_of(const CLI::App& command) {
   DescribedFooter footer;
-  std::vector<std::string> lines;
-  const std::string text = command.get_footer();
-  boost::algorithm::split(lines, text, [](char c) { return c == '\n'; });
   bool is_example = false;
-  for (const std::string& line : lines) {
+  for (const std::string& line : split_lines(command.get_footer())) {
     if (line == "Examples:" || line == "Example:") {
       is_example = true;
     } else if (is_example && line.starts_with("    ") && !footer.examples.empty()) {

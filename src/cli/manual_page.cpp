@@ -52,19 +52,15 @@ std::string roff_line(const std::string& text) { return (text.starts_with('.') ?
 
 // Text that roff fills again.
 std::string roff_lines(const std::string& text) {
-  std::vector<std::string> lines;
-  const std::string broken = wrapped(text, 0, kSourceWidth);
-  boost::algorithm::split(lines, broken, [](char c) { return c == '\n'; });
   std::string page;
-  for (const std::string& line : lines) page += roff_line(line);
+  for (const std::string& line : split_lines(wrapped(text, 0, kSourceWidth))) page += roff_line(line);
   return page;
 }
 
 // Filled text, with a line for each part of a sentence. Lines that begin with blanks stay as they are.
 std::string filled(const std::string& text) {
   std::string page;
-  std::vector<std::string> lines;
-  boost::algorithm::split(lines, text, [](char c) { return c == '\n'; });
+  const std::vector<std::string> lines = split_lines(text);
   bool is_fixed = false;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const std::string& line = lines[k];
@@ -145,9 +141,7 @@ std::string examples_of(const DescribedCommand& command) {
   if (command.footer.examples.empty()) return "";
   std::string text = ".SH EXAMPLES\n.EX\n";
   for (const std::string& example : command.footer.examples) {
-    std::vector<std::string> lines;
-    boost::algorithm::split(lines, example, [](char c) { return c == '\n'; });
-    for (const std::string& line : lines) text += roff_line(line);
+    for (const std::string& line : split_lines(example)) text += roff_line(line);
   }
   return text + ".EE\n";
 }

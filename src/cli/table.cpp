@@ -55,10 +55,7 @@ std::vector<std::size_t> widths_of(const Rows& rows, std::string_view alignment)
 
 std::vector<std::string> lines_of_cell(const std::string& cell, std::size_t width) {
   if (columns_of(cell) <= width && cell.find(kFixedBlank) == std::string::npos) return {cell};
-  std::vector<std::string> lines;
-  const std::string text = wrapped(cell, 0, width);
-  boost::algorithm::split(lines, text, [](char c) { return c == '\n'; });
-  return lines;
+  return split_lines(wrapped(cell, 0, width));
 }
 
 void print_table_row(const std::vector<std::string>& row, const std::vector<std::size_t>& widths,

@@ -1,6 +1,7 @@
 #include "cli/wrapped_text.h"
 
 #include <algorithm>
+#include <boost/algorithm/string.hpp>
 
 namespace flowcert::cli {
 
@@ -59,6 +60,12 @@ std::string wrapped(std::string_view text, std::size_t indent, std::size_t width
     text.remove_prefix(end + 1);
   }
   std::ranges::replace(lines, kFixedBlank, ' ');
+  return lines;
+}
+
+std::vector<std::string> split_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  boost::algorithm::split(lines, text, [](char c) { return c == '\n'; });
   return lines;
 }
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cli/layer.h"
 
@@ -23,5 +24,8 @@ inline constexpr char kFixedBlank = '\x1f';
 // `indent` blanks, at most three quarters of the width. A line that the text ends itself is indented as it is written.
 // Lines are broken at blanks. A word that fits no line is broken after a comma or a slash, or else anywhere.
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t indent, std::size_t width = kLineWidth);
+
+// What is between the ends of lines.
+[[nodiscard]] std::vector<std::string> split_lines(const std::string& text);
 
 }  // namespace flowcert::cli

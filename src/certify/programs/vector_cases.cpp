@@ -2,10 +2,12 @@
 #include "certify/programs/vector_cases.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <ranges>
 #include <set>
 #include <system_error>
 #include <tuple>
@@ -313,13 +315,9 @@ std::optional<std::string> point_file_text(const VectorCase& one, const PointFil
   // An XYZ file of no byte is an error (FC-IN-05).
   if (is_xyz && one.words.empty()) text = "# no points\n";
   for (const auto& row : one.words) {
-    const char* separator = "";
-    for (const std::string& word : row) {
-      text += separator;
-      text += word_text(word, style.hexadecimal);
-      separator = " ";
-    }
-    text += '\n';
+    const auto words =
+        row | std::views::transform([&](const std::string& word) { return word_text(word, style.hexadecimal); });
+    text += fmt::format("{}\n", fmt::join(words, " "));
   }
   return text;
 }
