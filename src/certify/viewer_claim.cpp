@@ -12,6 +12,7 @@
 #include "geometry/floating_point.h"
 #include "geometry/keep_unique.h"
 #include "geometry/rational_point.h"
+#include "io/viewer_parts.h"
 
 namespace flowcert {
 
@@ -53,20 +54,28 @@ class FarOutside {
   double squared_radius_;
 };
 
-ViewerSphere sphere_with_samples(const PointSet& points, const ExactSphere& sphere, bool is_claimed) {
-  ViewerSphere result = {.sphere = sphere, .is_claimed = is_claimed, .inside = {}, .on = {}, .inside_count = 0};
+// A sphere that proves a finding, with the samples that matter.
+Json sphere_field(const PointSet& points, const ViewerFrame& frame, const ExactSphere& sphere, bool is_claimed) {
+  std::vector<std::size_t> inside, on;  // ordinals, the first of them
+  std::size_t inside_count = 0;         // with those that are not listed
   const FarOutside is_far_outside(sphere);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (is_far_outside(points[i])) continue;
     const Rational squared = squared_distance(sphere.center, points[i]);
     if (squared < sphere.squared_radius) {
-      ++result.inside_count;
-      if (result.inside.size() < kMostInside) result.inside.push_back(i);
-    } else if (squared == sphere.squared_radius && result.on.size() < kMostOn) {
-      result.on.push_back(i);
+      ++inside_count;
+      if (inside.size() < kMostInside) inside.push_back(i);
+    } else if (squared == sphere.squared_radius && on.size() < kMostOn) {
+      on.push_back(i);
     }
   }
-  return result;
+  return {{"center", frame.placed(sphere.center)},
+          {"radius", frame.scaled(std::sqrt(rounded_sphere(sphere).squared_radius))},
+          {"role", is_claimed ? "claimed" : "true"},
+          {"empty", inside_count == 0},
+          {"inside", inside},
+          {"inside_count", inside_count},
+          {"on", on}};
 }
 
 // The sphere that a claimed point stands for. It has the claimed centre and distance, or else those of the contact set.
@@ -114,12 +123,14 @@ std::optional<RationalPoint> position_of(const PointSet& points, const ClaimedTa
   return sphere ? std::optional(sphere->center) : std::nullopt;
 }
 
+using Line = std::vector<RationalPoint>;
+
 // What is claimed to flow from a point: the polylines, or else straight lines to where they are said to end.
-std::vector<ViewerLine> claimed_lines(const PointSet& points, const ClaimedPoint& point, const RationalPoint& from) {
-  std::vector<ViewerLine> lines;
+std::vector<Line> claimed_lines(const PointSet& points, const ClaimedPoint& point, const RationalPoint& from) {
+  std::vector<Line> lines;
   if (point.u2) {
     for (const ClaimedPolyline& polyline : *point.u2) {
-      ViewerLine line = {from};
+      Line line = {from};
       for (const ClaimedSegment& segment : polyline) {
         if (segment.end) line.push_back(values_of(*segment.end));
       }
@@ -133,52 +144,64 @@ std::vector<ViewerLine> claimed_lines(const PointSet& points, const ClaimedPoint
   return lines;
 }
 
-class FindingPlaces {
+class FindingFields {
  public:
-  FindingPlaces(const FlowComplex& complex, const Claim& claim) : complex_(complex), points_(complex.points()) {
+  FindingFields(const FlowComplex& complex, const Claim& claim)
+      : complex_(complex), points_(complex.points()), frame_(points_) {
     for (const ClaimedPoint& point : claim.points) point_at_line_.try_emplace(point.line, &point);
   }
 
-  [[nodiscard]] ViewerFinding placed(const Finding& finding) const {
-    ViewerFinding result = {.level = finding.level,
-                            .reason = reason_text(finding.reason),
-                            .is_variation = finding.is_variation,
-                            .clause = finding.clause,
-                            .line = finding.line,
-                            .claimed = finding.claimed,
-                            .truth = finding.truth,
-                            .sentence = finding.sentence,
-                            .index = std::nullopt,
-                            .record = finding.record,
-                            .position = std::nullopt,
-                            .contact = ordinals_of(points_, finding.contact),
-                            .spheres = {},
-                            .claimed_lines = {}};
-    if (finding.line) place_claimed(*finding.line, finding, result);
+  // The index is as claimed, or the true one of what is missing.
+  [[nodiscard]] Json field_of(const Finding& finding) const {
+    Json field = {{"level", finding.level},
+                  {"reason", reason_text(finding.reason)},
+                  {"variation", finding.is_variation},
+                  {"clause", finding.clause},
+                  {"claimed", finding.claimed},
+                  {"truth", finding.truth},
+                  {"sentence", finding.sentence},
+                  {"contact", ordinals_of(points_, finding.contact)},
+                  {"line", nullptr},
+                  {"index", nullptr},
+                  {"record", nullptr},
+                  {"position", nullptr},
+                  {"spheres", Json::array()},
+                  {"lines", Json::array()}};
+    if (finding.line) {
+      field["line"] = *finding.line;
+      place_claimed(*finding.line, finding, field);
+    }
     if (finding.record) {
       const ExactSphere truth = complex_.sphere(*finding.record);
-      if (!result.position) result.position = truth.center;
-      if (!result.index) result.index = complex_.stationary().index(*finding.record).face_dimension;
-      result.spheres.push_back(sphere_with_samples(points_, truth, false));
+      field["record"] = *finding.record;
+      if (field["position"].is_null()) field["position"] = frame_.placed(truth.center);
+      if (field["index"].is_null()) field["index"] = complex_.stationary().index(*finding.record).face_dimension;
+      field["spheres"].push_back(sphere_field(points_, frame_, truth, false));
     }
-    return result;
+    return field;
   }
 
  private:
-  void place_claimed(std::size_t line, const Finding& finding, ViewerFinding& result) const {
+  void place_claimed(std::size_t line, const Finding& finding, Json& field) const {
     const auto found = point_at_line_.find(line);
     if (found == point_at_line_.end()) return;
     const ClaimedPoint& point = *found->second;
-    result.index = point.index;
+    field["index"] = point.index;
     const auto sphere = claimed_sphere(points_, point);
     if (!sphere) return;
-    result.position = sphere->center;
-    result.spheres.push_back(sphere_with_samples(points_, *sphere, true));
-    if (finding.level >= 4) result.claimed_lines = claimed_lines(points_, point, sphere->center);
+    field["position"] = frame_.placed(sphere->center);
+    field["spheres"].push_back(sphere_field(points_, frame_, *sphere, true));
+    if (finding.level < 4) return;
+    for (const Line& claimed : claimed_lines(points_, point, sphere->center)) {
+      Json positions = Json::array();
+      for (const RationalPoint& position : claimed) positions.push_back(frame_.placed(position));
+      field["lines"].push_back({{"role", "claimed"}, {"positions", std::move(positions)}});
+    }
   }
 
   const FlowComplex& complex_;
   const PointSet& points_;
+  ViewerFrame frame_;
   std::map<std::size_t, const ClaimedPoint*> point_at_line_;
 };
 
@@ -200,34 +223,34 @@ std::vector<const Finding*> listed_findings(const std::vector<Finding>& findings
 
 }  // namespace
 
-ViewerClaim viewer_claim(const FlowComplex& complex, const Claim& claim, const CheckReport& report,
-                         const ViewerClaimOptions& options) {
+Json viewer_claim(const FlowComplex& complex, const Claim& claim, const CheckReport& report,
+                  const ViewerClaimOptions& options) {
   const geometry::IeeeDoubles ieee;
-  ViewerClaim result = {.name = options.name,
-                        .verdict = verdict_text(report.verdict),
-                        .tolerance = options.tolerance,
-                        .findings = {},
-                        .findings_count = report.findings.size(),
-                        .not_judged = report.not_judged,
-                        .not_decided = report.not_decided};
-  const FindingPlaces places(complex, claim);
+  Json field = {{"name", options.name},
+                {"verdict", verdict_text(report.verdict)},
+                {"tolerance", options.tolerance},
+                {"findings", Json::array()},
+                {"findings_count", report.findings.size()},
+                {"not_judged", report.not_judged},
+                {"not_decided", report.not_decided}};
+  const FindingFields fields(complex, claim);
   for (const Finding* finding : listed_findings(report.findings, options.most)) {
-    result.findings.push_back(places.placed(*finding));
+    field["findings"].push_back(fields.field_of(*finding));
   }
-  return result;
+  return field;
 }
 
 namespace {
 
-ViewerClaim judged_text(const FlowComplex& complex, const ClaimText& text, const CheckOptions& options) {
+Json judged_text(const FlowComplex& complex, const ClaimText& text, const CheckOptions& options) {
   const ViewerClaimOptions shown = {.name = text.name, .tolerance = options.tolerance};
   try {
     const Claim claim = read_claim_from(text.bytes, text.name);
     require_rows(claim, complex.points(), text.name);
     return viewer_claim(complex, claim, check(complex, claim, options), shown);
   } catch (const InvalidInput& error) {
-    ViewerClaim unreadable = viewer_claim(complex, Claim{}, CheckReport{}, shown);
-    unreadable.verdict = std::string("cannot be read: ") + error.what();
+    Json unreadable = viewer_claim(complex, Claim{}, CheckReport{}, shown);
+    unreadable["verdict"] = std::string("cannot be read: ") + error.what();
     return unreadable;
   }
 }

@@ -23,8 +23,8 @@ struct ViewerClaimOptions {
 
 // The report must be of this claim, checked against this complex or one of the same points. Each listed finding takes a
 // scan of all points.
-[[nodiscard]] ViewerClaim viewer_claim(const FlowComplex& complex, const Claim& claim, const CheckReport& report,
-                                       const ViewerClaimOptions& options);
+[[nodiscard]] io::Json viewer_claim(const FlowComplex& complex, const Claim& claim, const CheckReport& report,
+                                    const ViewerClaimOptions& options);
 
 // What a program has written, whether it can be read or not.
 struct ClaimText {

@@ -41,18 +41,6 @@ std::string page_beside(const std::string& input) {
   return name.stem().string() + ".html";
 }
 
-struct JudgedClaim {
-  ViewerClaim claim;
-  Verdict verdict = Verdict::kConforms;
-};
-
-JudgedClaim judged_claim(const ViewCommandOptions& options, const Claim& claim, const FlowComplex& complex) {
-  const CheckReport report = check(complex, claim, options.check);
-  return {
-      viewer_claim(complex, claim, report, {.name = display_name(options.claim), .tolerance = options.check.tolerance}),
-      report.verdict};
-}
-
 ViewerCounts write_page(const std::string& path, const FlowComplex& complex, const ViewerOptions& content) {
   std::optional<OutputFile> file;
   if (path != kStandardStream) file.emplace(path);
@@ -65,7 +53,7 @@ ViewerCounts write_page(const std::string& path, const FlowComplex& complex, con
 }
 
 void print_page_table(const std::string& page, const Input& input, const FlowComplex& complex,
-                      const ViewerOptions& content, const ViewerCounts& shown) {
+                      const ViewerOptions& content, const ViewerCounts& shown, const CheckReport* report) {
   const auto& counts = complex.stationary().critical_counts();
   print_wrapped(fmt::format("{}: open it in a browser", on_one_line(page)));
   // A pipe has no size.
@@ -92,8 +80,9 @@ void print_page_table(const std::string& page, const Input& input, const FlowCom
   if (content.pockets != nullptr) {
     print_row("pockets", with_commas(shown.pockets.kept), of_all(shown.pockets, "the deepest (--most-pockets)"));
   }
-  if (content.claim) {
-    print_row("findings", with_commas(content.claim->findings_count), "verdict: " + content.claim->verdict);
+  if (report != nullptr) {
+    print_row("findings", with_commas(report->findings.size()),
+              fmt::format("verdict: {}", verdict_text(report->verdict)));
   }
 }
 
@@ -123,13 +112,16 @@ int view(ViewCommandOptions options) {
   if (!input.file.atoms.empty()) content.atoms = &input.file.atoms;
   if (pockets) content.pockets = &*pockets;
   int status = kRight;
+  std::optional<CheckReport> report;
   if (claim) {
-    JudgedClaim judged = judged_claim(options, *claim, complex);
-    content.claim = std::move(judged.claim);
-    status = status_of(judged.verdict, options.is_strict);
+    report = check(complex, *claim, options.check);
+    content.claim = viewer_claim(complex, *claim, *report,
+                                 {.name = display_name(options.claim), .tolerance = options.check.tolerance});
+    status = status_of(report->verdict, options.is_strict);
   }
   const ViewerCounts shown = write_page(options.output, complex, content);
-  if (options.output != kStandardStream) print_page_table(options.output, input, complex, content, shown);
+  if (options.output != kStandardStream)
+    print_page_table(options.output, input, complex, content, shown, report ? &*report : nullptr);
   return status;
 }
 

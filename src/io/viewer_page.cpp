@@ -13,7 +13,6 @@
 #include "flowcert/surface.h"
 #include "geometry/floating_point.h"
 #include "geometry/rational_point.h"
-#include "io/json_fields.h"
 #include "io/viewer_parts.h"
 
 namespace flowcert {
@@ -252,61 +251,16 @@ Json u2_field(const ViewerContent& content, const Progress& progress) {
 
 // ---- A claim ----
 
-Json position_field(const ViewerContent& content, const RationalPoint& position) {
-  return content.frame.placed(position);
-}
-
-Json sphere_field(const ViewerContent& content, const ViewerSphere& of) {
-  const RoundedSphere rounded = rounded_sphere(of.sphere);
-  return {{"center", position_field(content, of.sphere.center)},
-          {"radius", content.frame.scaled(std::sqrt(rounded.squared_radius))},
-          {"role", of.is_claimed ? "claimed" : "true"},
-          {"empty", of.inside_count == 0},
-          {"inside", of.inside},
-          {"inside_count", of.inside_count},
-          {"on", of.on}};
-}
-
-Json finding_field(const ViewerContent& content, const ViewerFinding& finding) {
-  Json field = {{"level", finding.level},
-                {"reason", finding.reason},
-                {"variation", finding.is_variation},
-                {"clause", finding.clause},
-                {"claimed", finding.claimed},
-                {"truth", finding.truth},
-                {"sentence", finding.sentence},
-                {"contact", finding.contact},
-                {"line", nullptr},
-                {"index", nullptr},
-                {"record", nullptr},
-                {"position", nullptr}};
-  if (finding.line) field["line"] = *finding.line;
-  if (finding.index) field["index"] = *finding.index;
-  if (finding.record && content.selection.place[*finding.record] != kNone) {
-    field["record"] = content.selection.place[*finding.record];
+// The page knows stationary points by their places among its records.
+Json claim_field(const ViewerSelection& selection, Json claim) {
+  if (claim.is_null()) return claim;
+  for (Json& finding : claim["findings"]) {
+    Json& record = finding["record"];
+    if (record.is_null()) continue;
+    const std::uint32_t place = selection.place[record.get<std::size_t>()];
+    record = place == kNone ? Json(nullptr) : Json(place);
   }
-  if (finding.position) field["position"] = position_field(content, *finding.position);
-  field["spheres"] = Json::array();
-  for (const ViewerSphere& sphere : finding.spheres) field["spheres"].push_back(sphere_field(content, sphere));
-  field["lines"] = Json::array();
-  for (const ViewerLine& line : finding.claimed_lines) {
-    Json positions = Json::array();
-    for (const RationalPoint& point : line) positions.push_back(position_field(content, point));
-    field["lines"].push_back({{"role", "claimed"}, {"positions", std::move(positions)}});
-  }
-  return field;
-}
-
-Json claim_field(const ViewerContent& content, const ViewerClaim& claim) {
-  Json field = {{"name", claim.name},
-                {"verdict", claim.verdict},
-                {"tolerance", claim.tolerance},
-                {"findings", Json::array()},
-                {"findings_count", claim.findings_count},
-                {"not_judged", claim.not_judged},
-                {"not_decided", claim.not_decided}};
-  for (const ViewerFinding& finding : claim.findings) field["findings"].push_back(finding_field(content, finding));
-  return field;
+  return claim;
 }
 
 // ---- The page ----
@@ -333,7 +287,7 @@ Json data_of(const FlowComplex& complex, const ViewerOptions& options, const Vie
   data["u2"] = u2_field(content, progress);
   if (options.has_cells) data["cells"] = viewer_cells_field(complex, frame, selection);
   if (options.pockets) data["pockets"] = viewer_pockets_field(complex, frame, *options.pockets, options.most_pockets);
-  data["claim"] = options.claim ? claim_field(content, *options.claim) : Json(nullptr);
+  data["claim"] = claim_field(selection, options.claim);
   return data;
 }
 

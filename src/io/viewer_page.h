@@ -6,57 +6,17 @@
 // exact. Text of a claim, of a molecule or of a file's name cannot become markup. Nothing is loaded from elsewhere.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <optional>
 #include <ostream>
-#include <span>
 #include <string>
-#include <vector>
 
 #include "flowcert/atom_names.h"
 #include "flowcert/flow_complex.h"
 #include "flowcert/pockets.h"
 #include "flowcert/progress.h"
+#include "io/json_fields.h"
 
 namespace flowcert {
-
-// A sphere that proves a finding, with the samples that matter.
-struct ViewerSphere {
-  ExactSphere sphere;
-  bool is_claimed = false;          // otherwise it is the sphere of a stationary point
-  std::vector<std::size_t> inside;  // ordinals of samples, the first of them
-  std::vector<std::size_t> on;      // the same
-  std::size_t inside_count = 0;     // how many there are, with those that are not listed
-};
-
-// A line that is claimed to be an orbit, or to lead to where one ends.
-using ViewerLine = std::vector<RationalPoint>;
-
-// What is wrong with a claim, at its place. The texts are for people.
-struct ViewerFinding {
-  int level = 0;
-  std::string reason;  // "missed-by-cluster"
-  bool is_variation = false;
-  std::string clause;
-  std::optional<std::size_t> line;  // of the claim
-  std::string claimed, truth, sentence;
-  std::optional<int> index;               // as claimed, or the true one of what is missing
-  std::optional<std::size_t> record;      // the stationary point that it is about, by its place in the list
-  std::optional<RationalPoint> position;  // where it is drawn; none: it has no place
-  std::vector<std::size_t> contact;       // ordinals of samples
-  std::vector<ViewerSphere> spheres;
-  std::vector<ViewerLine> claimed_lines;
-};
-
-struct ViewerClaim {
-  std::string name;
-  std::string verdict;
-  double tolerance = 0;
-  std::vector<ViewerFinding> findings;
-  std::size_t findings_count = 0;  // with those that are not listed
-  std::vector<std::string> not_judged, not_decided;
-};
 
 struct ViewerOptions {
   std::string name;  // of the input
@@ -73,7 +33,9 @@ struct ViewerOptions {
   // Also so many of these, the deepest.
   const Pockets* pockets = nullptr;
   std::size_t most_pockets = 500;
-  std::optional<ViewerClaim> claim;
+  // What is wrong with a claim, at its place (src/cli/manual/view.md, `claim`), or null. Its findings have a record by its
+  // place in the list of stationary points.
+  io::Json claim = nullptr;
 };
 
 struct ViewerCounts {

@@ -592,7 +592,7 @@ void add_judgement(Calls& calls, const Made& m) {
   const CheckReport report = check(m.points, m.claim, *m.truth);
   calls.add(
       "viewer_claim", [&, report] { return viewer_claim(m.complex, m.claim, report, {.name = "claim"}); },
-      [](const ViewerClaim& made) { return made.verdict + std::to_string(made.findings_count); });
+      [](const io::Json& made) { return made["verdict"].dump() + made["findings_count"].dump(); });
   calls.add_writer("write_claim_page", [&](std::ostream& out) {
     write_claim_page(out, m.points, "points", ClaimText{m.claim_text, "claim"});
   });
