@@ -221,6 +221,12 @@ class ClaimedLandscape {
            off <= Rational(kTinyArea);
   }
 
+  // Whether it is what doubles say: the nearest one, or that none is near.
+  static bool is_double(const ClaimedDouble& claimed, double nearest) {
+    if (!claimed.number) return std::isinf(nearest);
+    return !claimed.number->is_exact && nearest_double(claimed.number->value) == nearest;
+  }
+
   // The squared distance of a point.
   [[nodiscard]] Rational value(std::uint32_t record) { return run_.truth.sphere(record).squared_radius; }
 
@@ -271,8 +277,7 @@ class ClaimedLandscape {
     const double nearest = run_.truth.nearest_sum(truth.cell);
     const bool is_exact = claimed.number && claimed.number->is_exact;
     run_.note_exactness(is_exact);
-    if (!claimed.number && std::isinf(nearest)) return;
-    if (!is_exact && claimed.number && nearest_double(claimed.number->value) == nearest) return;
+    if (is_double(claimed, nearest)) return;
     Rational volume = 0;
     for (const std::uint32_t record : truth.cell) volume += run_.truth.volume(record);
     const ValueMatch match =
@@ -345,10 +350,7 @@ class ClaimedLandscape {
     if (!radius) return std::nullopt;
     run_.note_exactness(squared_radius || (radius->number && radius->number->is_exact));
     const double nearest = geometry::nearest_difference_of_roots(sphere.squared_radius, 0);
-    if (!radius->number && std::isinf(nearest)) return std::nullopt;
-    if (radius->number && !radius->number->is_exact && nearest_double(radius->number->value) == nearest) {
-      return std::nullopt;
-    }
+    if (is_double(*radius, nearest)) return std::nullopt;
     const ValueMatch match =
         radius->number ? match_distance(*radius->number, sphere.squared_radius, scale) : ValueMatch::kOff;
     return is_wrong(match) ? std::optional(complain(match, "a radius of " + double_text(radius->number)))

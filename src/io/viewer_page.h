@@ -33,8 +33,8 @@ struct ViewerOptions {
   // Also so many of these, the deepest.
   const Pockets* pockets = nullptr;
   std::size_t most_pockets = 500;
-  // What is wrong with a claim, at its place (src/cli/manual/view.md, `claim`), or null. Its findings have a record by its
-  // place in the list of stationary points.
+  // What is wrong with a claim, at its place (src/cli/manual/view.md, `claim`), or null. Its findings have a record by
+  // its place in the list of stationary points.
   io::Json claim = nullptr;
 };
 
