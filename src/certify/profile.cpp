@@ -26,24 +26,15 @@ struct PartOfPoints {
   bool (*is_told)(const ClaimedPoint&);
 };
 
-bool tells_limits(const ClaimedPoint& point) { return point.successors.has_value(); }
-bool tells_boundary(const ClaimedPoint& point) { return point.stable && point.stable->boundary; }
-bool tells_polylines(const ClaimedPoint& point) { return point.u2.has_value(); }
-bool tells_skeleton(const ClaimedPoint& point) { return point.skeleton.has_value(); }
-bool tells_list(const ClaimedPoint& point) { return point.lambda.has_value(); }
-bool tells_connections(const ClaimedPoint& point) { return point.connections.has_value(); }
-bool tells_volume(const ClaimedPoint& point) { return point.volume.has_value(); }
-bool tells_unstable_set(const ClaimedPoint& point) { return point.u1.has_value(); }
-
 constexpr std::array kPartsOfPoints = {
-    PartOfPoints{ProfilePart::kU2, 4, 2, 2, tells_limits},
-    PartOfPoints{ProfilePart::kS2, 4, 2, 2, tells_boundary},
-    PartOfPoints{ProfilePart::kPolylines, 5, 2, 2, tells_polylines},
-    PartOfPoints{ProfilePart::kSkeletons, 5, 2, 2, tells_skeleton},
-    PartOfPoints{ProfilePart::kLambdaLists, 5, 1, 2, tells_list},
-    PartOfPoints{ProfilePart::kConnections, 5, 1, 2, tells_connections},
-    PartOfPoints{ProfilePart::kVolumes, 5, 2, 3, tells_volume},
-    PartOfPoints{ProfilePart::kU1, 5, 1, 1, tells_unstable_set},
+    PartOfPoints{ProfilePart::kU2, 4, 2, 2, [](const ClaimedPoint& x) { return x.successors.has_value(); }},
+    PartOfPoints{ProfilePart::kS2, 4, 2, 2, [](const ClaimedPoint& x) { return x.stable && x.stable->boundary; }},
+    PartOfPoints{ProfilePart::kPolylines, 5, 2, 2, [](const ClaimedPoint& x) { return x.u2.has_value(); }},
+    PartOfPoints{ProfilePart::kSkeletons, 5, 2, 2, [](const ClaimedPoint& x) { return x.skeleton.has_value(); }},
+    PartOfPoints{ProfilePart::kLambdaLists, 5, 1, 2, [](const ClaimedPoint& x) { return x.lambda.has_value(); }},
+    PartOfPoints{ProfilePart::kConnections, 5, 1, 2, [](const ClaimedPoint& x) { return x.connections.has_value(); }},
+    PartOfPoints{ProfilePart::kVolumes, 5, 2, 3, [](const ClaimedPoint& x) { return x.volume.has_value(); }},
+    PartOfPoints{ProfilePart::kU1, 5, 1, 1, [](const ClaimedPoint& x) { return x.u1.has_value(); }},
 };
 
 Profile::State told_if(bool is_told) { return is_told ? Profile::State::kCovered : Profile::State::kNotCovered; }

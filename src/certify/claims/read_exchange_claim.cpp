@@ -413,10 +413,7 @@ ClaimedInfinity infinity_of(const ExchangeValue& record) {
   return infinity;
 }
 
-bool recognises_exchange(std::string_view bytes) {
-  const auto* const first = std::find_if_not(bytes.begin(), bytes.end(), is_blank);
-  return first != bytes.end() && *first == '{';
-}
+bool recognises_exchange(std::string_view bytes) { return trimmed(bytes).starts_with('{'); }
 
 Claim read_exchange(std::string_view text, std::string_view file, bool /*is_unlimited*/) {
   LineReader lines(text, file);

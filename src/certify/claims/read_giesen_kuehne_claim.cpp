@@ -18,9 +18,7 @@ constexpr std::string_view kInfinity = "inf";
 
 std::vector<PointId> ids_of(std::string_view text, const LinePlace& place) {
   std::vector<PointId> ids;
-  Fields fields(text, Separators::kBlanks);
-  std::string_view field;
-  while (fields.next(field)) ids.push_back(claimed_id(field, place));
+  for (const std::string_view word : words_of(text)) ids.push_back(claimed_id(word, place));
   if (ids.empty()) place.reject("no ids between two bars");
   if (ids.size() > 4) place.reject("a critical point of " + std::to_string(ids.size()) + " ids, not 1 to 4");
   return ids;
@@ -28,7 +26,7 @@ std::vector<PointId> ids_of(std::string_view text, const LinePlace& place) {
 
 // Takes the part before the next bar off the front of the line. False if only blanks are left.
 bool next_part(std::string_view& line, std::string_view& part) {
-  if (std::all_of(line.begin(), line.end(), is_blank)) return false;
+  if (is_all_blank(line)) return false;
   part = line.substr(0, line.find('|'));
   line.remove_prefix(std::min(part.size() + 1, line.size()));
   return true;
@@ -36,18 +34,21 @@ bool next_part(std::string_view& line, std::string_view& part) {
 
 // The only word of a part.
 std::string_view word_of(std::string_view part, const LinePlace& place) {
-  Fields fields(part, Separators::kBlanks);
+  const std::vector<std::string_view> words = words_of(part);
+  if (words.empty()) place.reject("nothing between two bars");
+  if (words.size() > 1) place.reject("more than one number between two bars: " + in_quotes(part));
+  return words[0];
+}
+
+// Whether the first word stands for infinity.
+bool is_infinite(std::string_view part) {
   std::string_view word;
-  std::string_view second;
-  if (!fields.next(word)) place.reject("nothing between two bars");
-  if (fields.next(second)) place.reject("more than one number between two bars: " + in_quotes(part));
-  return word;
+  Fields(part, Separators::kBlanks).next(word);
+  return word == kInfinity;
 }
 
 ClaimedTarget target_of(std::string_view part, const LinePlace& place) {
-  std::string_view first;
-  Fields(part, Separators::kBlanks).next(first);
-  if (first != kInfinity) return {.is_infinity = false, .contact = ids_of(part, place)};
+  if (!is_infinite(part)) return {.is_infinity = false, .contact = ids_of(part, place)};
   (void)word_of(part, place);
   return {.is_infinity = true, .contact = {}};
 }
@@ -67,24 +68,16 @@ ClaimedPoint point_of(std::string_view line, const LinePlace& place) {
 }
 
 void expect_three_dimensions(std::string_view line, const LinePlace& place) {
-  Fields fields(line, Separators::kBlanks);
-  std::string_view word;
-  fields.next(word);
-  if (!fields.next(word)) place.reject("no dimension after 'inf'");
-  if (word != "3") place.reject("a flow complex of dimension " + in_quotes(word) + ", not 3");
-  if (fields.next(word)) place.reject("more than the dimension after 'inf': " + in_quotes(word));
-}
-
-bool is_infinity_line(std::string_view line) {
-  std::string_view word;
-  Fields(line, Separators::kBlanks).next(word);
-  return word == kInfinity;
+  const std::vector<std::string_view> words = words_of(line);
+  if (words.size() < 2) place.reject("no dimension after 'inf'");
+  if (words[1] != "3") place.reject("a flow complex of dimension " + in_quotes(words[1]) + ", not 3");
+  if (words.size() > 2) place.reject("more than the dimension after 'inf': " + in_quotes(words[2]));
 }
 
 bool recognises_giesen_kuehne(std::string_view bytes) {
   LineReader lines(bytes, "");
   std::string_view line;
-  return lines.next_uncommented(line) && (is_infinity_line(line) || line.find('|') != std::string_view::npos);
+  return lines.next_uncommented(line) && (is_infinite(line) || line.find('|') != std::string_view::npos);
 }
 
 Claim read_giesen_kuehne(std::string_view text, std::string_view file, bool /*is_unlimited*/) {
@@ -93,7 +86,7 @@ Claim read_giesen_kuehne(std::string_view text, std::string_view file, bool /*is
   std::string_view line;
   bool has_infinity = false;
   while (lines.next_filled(line)) {
-    if (!is_infinity_line(line)) {
+    if (!is_infinite(line)) {
       claim.points.push_back(point_of(line, lines.place()));
       continue;
     }

@@ -20,19 +20,14 @@ namespace {
 
 constexpr std::string_view kFormatKey = "\"format\"", kFormatName = "flowcert-pockets";
 
-std::string_view without_blanks(std::string_view bytes) {
-  const auto* const first = std::find_if_not(bytes.begin(), bytes.end(), is_blank);
-  return bytes.substr(static_cast<std::size_t>(first - bytes.begin()));
-}
-
 // The first key of this name has this value. In the exchange format it has another.
 bool recognises_pockets(std::string_view bytes) {
-  bytes = without_blanks(bytes);
+  bytes = trimmed(bytes);
   const std::size_t key = bytes.find(kFormatKey);
   if (!bytes.starts_with('{') || key == std::string_view::npos) return false;
-  bytes = without_blanks(bytes.substr(key + kFormatKey.size()));
+  bytes = trimmed(bytes.substr(key + kFormatKey.size()));
   if (!bytes.starts_with(':')) return false;
-  bytes = without_blanks(bytes.substr(1));
+  bytes = trimmed(bytes.substr(1));
   return bytes.starts_with('"') && bytes.substr(1).starts_with(kFormatName);
 }
 

@@ -547,10 +547,7 @@ void add_points(const VtpPiece& piece, VtpDecoder& decoder, Claim& claim) {
   }
 }
 
-bool recognises_vtp(std::string_view bytes) {
-  const auto* const first = std::find_if_not(bytes.begin(), bytes.end(), is_blank);
-  return first != bytes.end() && *first == '<';
-}
+bool recognises_vtp(std::string_view bytes) { return trimmed(bytes).starts_with('<'); }
 
 Claim read_vtp(std::string_view bytes, std::string_view file, bool is_unlimited) {
   Claim claim;
