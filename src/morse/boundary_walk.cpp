@@ -91,19 +91,13 @@ class Walker {
   // Pushes the sides from one sample on to another, or all around. It begins with the given one.
   void follow_chain(const Segments& segments, PointId at, const BackwardSegment<>* next,
                     std::optional<PointId> end = std::nullopt) {
-    const PointId first = at;
-    const PointId last = end.value_or(first);
+    const PointId last = end.value_or(at);
     do {
-      if (next == nullptr) {  // the side whose midpoint is the regular point
-        const PointId far = open_end(at);
-        stack_.push_back({{at, far}, nullptr});
-        at = far;
-      } else {
-        stack_.push_back({{at, other_sample(*next, at)}, next});
-        at = other_sample(*next, at);
-      }
-      const BackwardSegment<>* const from = next;
-      if (at != last) next = next_on_chain(segments, at, from);
+      // Without a segment it is the side whose midpoint is the regular point.
+      const PointId to = next == nullptr ? open_end(at) : other_sample(*next, at);
+      stack_.push_back({{at, to}, next});
+      at = to;
+      if (at != last) next = next_on_chain(segments, at, next);
     } while (at != last);
   }
 

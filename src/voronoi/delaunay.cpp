@@ -106,9 +106,8 @@ void for_each_cell(const Cgal& cgal, const auto& visit) {
   }
 }
 
-// Prefetches the cells that are copied soon, and then their neighbours. A cell of CGAL lies in two lines of
-// the cache. Where g++ does not inline such a function at once, it takes it for one without effect and leaves its
-// calls out.
+// Prefetches the cells that are copied soon, and then their neighbours. A cell of CGAL lies in two lines of the cache.
+// It is inlined for the reason of VoronoiFaces::prefetch_link().
 [[gnu::always_inline]] inline void prefetch(const std::vector<Cgal::Cell_handle>& cells, std::size_t number,
                                             int corners) {
   constexpr std::size_t kDistance = 8;

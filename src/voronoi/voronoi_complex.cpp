@@ -72,8 +72,8 @@ TetrahedronPoints VoronoiComplex::points_of(CellIndex cell) const {
   return {p + v[0], p + v[1], p + v[2], p + v[3]};
 }
 
-// The pass below looks up the neighbours' vertices a few cells later, and would otherwise wait for them. Where g++ does
-// not inline such a function at once, it takes it for one without effect and leaves its calls out.
+// The pass below looks up the neighbours' vertices a few cells later, and would otherwise wait for them. (It is inlined
+// for the reason of VoronoiFaces::prefetch_link().)
 [[gnu::always_inline]] inline void VoronoiComplex::prefetch_neighbors(CellIndex cell) const {
   if (cell >= delaunay_.finite_count) return;
   for (const CellIndex neighbor : delaunay_.neighbors(cell)) __builtin_prefetch(&delaunay_.cells[neighbor]);

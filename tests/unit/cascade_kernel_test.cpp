@@ -432,7 +432,7 @@ TEST(CascadeKernel, WhatAHigherRungComputedIsHandedDown) {
   EXPECT_GT(before, 40 * kRoundoff);
   EXPECT_GT(before, error(1)) << "it grows";
   // By the longer precision.
-  const Direction<Extended> extended = kernel.direction_in_extended(x[last], cascade.facet(last));
+  const Direction<Extended> extended = kernel.direction_in<Extended>(x[last], cascade.facet(last));
   EXPECT_TRUE(extended.is_known());
   EXPECT_LT(extended.error, Extended(0x1p-200));
   EXPECT_GE(error(last), 2 * kRoundoff);
@@ -441,7 +441,7 @@ TEST(CascadeKernel, WhatAHigherRungComputedIsHandedDown) {
   // By integers, to both.
   (void)kernel.direction_in_integers(x[last - 1], cascade.facet(last - 1));
   EXPECT_LE(error(last - 1), 17 * kRoundoff);
-  const Direction<Extended> rounded = kernel.direction_in_extended(x[last - 1], cascade.facet(last - 1));
+  const Direction<Extended> rounded = kernel.direction_in<Extended>(x[last - 1], cascade.facet(last - 1));
   EXPECT_TRUE(rounded.is_known());
   EXPECT_LE(rounded.error, Extended(8 * Precision<Extended>::kRoundoff));
   // What follows begins anew.
@@ -583,7 +583,7 @@ TEST(CascadeKernel, LongRecipesTakeNoStack) {
       CascadeKernel kernel(tally);
       const PointNumber x = work.cascade.points(kernel, kNothing).back();
       work.depth = kernel.deepest();
-      work.is_known = kernel.direction_in_extended(x, work.cascade.facet(last)).is_known();
+      work.is_known = kernel.direction_in<Extended>(x, work.cascade.facet(last)).is_known();
       const IntegerDirection u = kernel.direction_in_integers(x, work.cascade.facet(last));
       work.sign = geometry::sign_of(u.x);
       return nullptr;

@@ -107,8 +107,8 @@ class Chain {
     const ExactSphere exact{x, geometry::squared_distance(x, *facet_.p0)};
     EXPECT_EQ(exact.squared_radius, geometry::squared_distance(x, q));
     ++met_.crossings;
-    if (check_bounds(kernel_.direction_in_doubled(at_, facet_), facet_, q, exact)) ++met_.known_doubled;
-    if (check_bounds(kernel_.direction_in_extended(at_, facet_), facet_, q, exact)) ++met_.known_extended;
+    if (check_bounds(kernel_.direction_in<DoubleDouble>(at_, facet_), facet_, q, exact)) ++met_.known_doubled;
+    if (check_bounds(kernel_.direction_in<Extended>(at_, facet_), facet_, q, exact)) ++met_.known_extended;
     const RoundedSphere truth = rounded_sphere(exact);
     bool is_decided = false;
     for (const KernelRung rung : {KernelRung::kDoubled, KernelRung::kExtended}) {

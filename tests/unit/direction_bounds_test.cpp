@@ -304,7 +304,7 @@ class Chain {
     const PointNumber number = kernel.add({x.x, x.y, x.z});
     return begin("position",
                  {kernel.direction_in_integers(number, facet_), kernel.direction_in_doubles(number, facet_),
-                  kernel.direction_in_extended(number, facet_), kernel.direction_in_doubled(number, facet_)},
+                  kernel.direction_in<Extended>(number, facet_), kernel.direction_in<DoubleDouble>(number, facet_)},
                  []<class Number>(const Direction<Number>&) { return Number(2 * Precision<Number>::kRoundoff); });
   }
 

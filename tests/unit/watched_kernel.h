@@ -148,12 +148,12 @@ class WatchedKernel {
     made_[x].watched = facet;
     const IntegerDirection truth = exact_.direction_in_integers(x, facet);
     Seen::Counts& counts = seen_now->directions[branch(x, facet)];
-    const Direction<Extended> extended = extended_.direction_in_extended(x, facet);
+    const Direction<Extended> extended = extended_.direction_in<Extended>(x, facet);
     if (extended.is_known()) {
       ++counts.extended;
       expect(broken_bound(extended, truth, facet).empty(), broken_bound(extended, truth, facet));
     }
-    const Direction<DoubleDouble> doubled = doubled_.direction_in_doubled(x, facet);
+    const Direction<DoubleDouble> doubled = doubled_.direction_in<DoubleDouble>(x, facet);
     if (doubled.is_known()) {
       ++counts.doubled;
       expect(broken_bound(doubled, truth, facet).empty(), broken_bound(doubled, truth, facet));
@@ -166,7 +166,7 @@ class WatchedKernel {
     }
     // Here the next rung would be asked, and its direction is handed down.
     ++counts.unknown;
-    (void)doubles_.direction_in_extended(x, facet);
+    (void)doubles_.direction_in<Extended>(x, facet);
     doubles = doubles_.direction_in_doubles(x, facet);
     if (!doubles.is_known()) return;
     ++counts.handed_down;

@@ -93,10 +93,8 @@ class CascadeKernel {
   // The nearest doubles to a point's coordinates, and to its squared distance from the samples that it was made of.
   // Nothing if no floating-point type decides them all.
   [[nodiscard]] std::optional<RoundedSphere> rounded(PointNumber number) {
-    for (const KernelRung rung : {KernelRung::kDoubled, KernelRung::kExtended}) {
-      if (const auto sphere = rounded_on_rung(number, rung)) return sphere;
-    }
-    return std::nullopt;
+    const auto sphere = rounded_on_rung(number, KernelRung::kDoubled);
+    return sphere ? sphere : rounded_on_rung(number, KernelRung::kExtended);
   }
   [[nodiscard]] std::optional<RoundedSphere> rounded_on_rung(PointNumber number, KernelRung rung) {
     const Kept& x = points_[number];
@@ -106,14 +104,11 @@ class CascadeKernel {
     }
     const FacetEdge facet = x.crossed();
     const PointNumber from = x.from;
-    const Point& q = *x.samples[2];
-    if (rung == KernelRung::kDoubled) {
-      return decided_sphere(sphere_at_crossing(direction_in_doubled(from, facet), facet, q));
-    }
-    if (rung == KernelRung::kExtended) {
-      return decided_sphere(sphere_at_crossing(direction_in_extended(from, facet), facet, q));
-    }
-    return std::nullopt;
+    const auto decided = [facet, &q = *x.samples[2]](const auto& direction) {
+      return decided_sphere(sphere_at_crossing(direction, facet, q));
+    };
+    if (rung == KernelRung::kDoubled) return decided(refined_direction<InFloat<DoubleDouble>>(from, facet));
+    return rung == KernelRung::kExtended ? decided(refined_direction<InFloat<Extended>>(from, facet)) : std::nullopt;
   }
   // How many bytes the components of the integer direction take, where it was needed.
   [[nodiscard]] std::optional<std::array<std::size_t, 3>> exact_bytes(PointNumber number) const {
@@ -155,11 +150,13 @@ class CascadeKernel {
     x.facing = facet;
     return x.direction;
   }
-  [[nodiscard]] Direction<DoubleDouble> direction_in_doubled(PointNumber number, FacetEdge facet) {
-    return refined_direction<InFloat<DoubleDouble>>(number, facet);
-  }
-  [[nodiscard]] Direction<Extended> direction_in_extended(PointNumber number, FacetEdge facet) {
-    return refined_direction<InFloat<Extended>>(number, facet);
+  template <class Number>
+  [[nodiscard]] decltype(auto) direction_in(PointNumber number, FacetEdge facet) {
+    if constexpr (std::is_same_v<Number, double>) {
+      return direction_in_doubles(number, facet);
+    } else {
+      return refined_direction<InFloat<Number>>(number, facet);
+    }
   }
   [[nodiscard]] IntegerDirection direction_in_integers(PointNumber number, FacetEdge facet) {
     return refined_direction<InIntegers>(number, facet);
@@ -265,15 +262,6 @@ class CascadeKernel {
   }
 
   // ---- Signs ----
-
-  template <class Number>
-  [[nodiscard]] decltype(auto) direction_in(PointNumber x, FacetEdge facet) {
-    if constexpr (std::is_same_v<Number, double>) {
-      return direction_in_doubles(x, facet);
-    } else {
-      return refined_direction<InFloat<Number>>(x, facet);
-    }
-  }
 
   // A direction decides these; other queries are about starts that were given, and go to exact positions.
   template <class Number>
