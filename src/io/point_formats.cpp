@@ -255,8 +255,8 @@ PointFormat format_of_content(std::string_view bytes, std::string_view file) {
 }  // namespace flowcert::io
 
 // ---- Reading ----
-// From a name to its bytes, through gzip, to the reader of its format. CGAL::IO::read_points is not used; the readers say
-// what it does with damaged files of each format.
+// From a name to its bytes, through gzip, to the reader of its format. CGAL::IO::read_points is not used; the readers
+// say what it does with damaged files of each format.
 
 namespace flowcert {
 

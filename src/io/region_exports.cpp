@@ -135,8 +135,8 @@ PolyData unstable_fan_data(const FlowComplex& complex) {
 
 // ---- What flows to infinity ----
 // In the Voronoi cell of a sample, it is the pyramids over the regions of its facets with that limit, and the cone of
-// points that never leave the cell (FC-STAB-08). The sample is in the box. So what the box leaves of a pyramid or a cone
-// are pyramids again: over what it leaves of the base, and over parts of its own sides.
+// points that never leave the cell (FC-STAB-08). The sample is in the box. So what the box leaves of a pyramid or a
+// cone are pyramids again: over what it leaves of the base, and over parts of its own sides.
 
 namespace {
 
