@@ -149,8 +149,8 @@ List FlowLimits::Parts::list_of(std::size_t i, const auto& position_of) {
     list.directions.push_back({limit_of(division), position_of(division.point, is_vector), is_vector});
   }
   if (first > 0) {
-    std::ranges::rotate(list.directions, list.directions.begin() + first);
-    std::ranges::rotate(list.arcs, list.arcs.begin() + first);
+    std::rotate(list.directions.begin(), list.directions.begin() + first, list.directions.end());
+    std::rotate(list.arcs.begin(), list.arcs.begin() + first, list.arcs.end());
   }
   return list;
 }
