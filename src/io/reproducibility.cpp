@@ -2,6 +2,7 @@
 #include "flowcert/reproducibility.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <openssl/evp.h>
 
 #include <array>
@@ -39,13 +40,7 @@ std::string coordinates_sha256(const PointSet& points) {
   }
   ok = ok && EVP_DigestFinal_ex(context.get(), digest.data(), &length) == 1;
   if (!ok) throw std::runtime_error("SHA-256 is not available from this OpenSSL");
-  std::string text;
-  for (unsigned int i = 0; i < length; ++i) {
-    constexpr const char* kDigits = "0123456789abcdef";
-    text += kDigits[digest[i] >> 4];
-    text += kDigits[digest[i] & 15];
-  }
-  return text;
+  return fmt::format("{:02x}", fmt::join(digest.data(), digest.data() + length, ""));
 }
 
 std::string made_by_text(const char* format, int format_version, const PointSet& points) {

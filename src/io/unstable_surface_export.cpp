@@ -200,8 +200,6 @@ UnstableSurfaceExport::UnstableSurfaceExport(const FlowComplex& complex, const s
 }
 
 UnstableSurfaceExport::~UnstableSurfaceExport() = default;
-UnstableSurfaceExport::UnstableSurfaceExport(UnstableSurfaceExport&&) noexcept = default;
-UnstableSurfaceExport& UnstableSurfaceExport::operator=(UnstableSurfaceExport&&) noexcept = default;
 
 // ---- Files ----
 

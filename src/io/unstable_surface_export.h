@@ -25,8 +25,8 @@ class UnstableSurfaceExport {
   UnstableSurfaceExport(const FlowComplex& complex, const std::optional<ClipBox>& box, const std::string& folder,
                         const Progress& progress = {}, const std::vector<std::size_t>* records = nullptr);
   ~UnstableSurfaceExport();
-  UnstableSurfaceExport(UnstableSurfaceExport&&) noexcept;
-  UnstableSurfaceExport& operator=(UnstableSurfaceExport&&) noexcept;
+  UnstableSurfaceExport(const UnstableSurfaceExport&) = delete;
+  UnstableSurfaceExport& operator=(const UnstableSurfaceExport&) = delete;
 
   // comment: of one line, without "--".
   void write_vtp(std::ostream& out, const std::string& comment) const;

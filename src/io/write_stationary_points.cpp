@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <iterator>
+#include <ranges>
 
 #include "flowcert/connections.h"
 #include "flowcert/stable_manifolds.h"
@@ -24,12 +26,8 @@ namespace {
 // The first k below the count for which record_of(k), which ascends, is no less than the record.
 template <class RecordOf>
 std::size_t first_from(std::size_t record, std::size_t count, const RecordOf& record_of) {
-  std::size_t low = 0, high = count;
-  while (low < high) {
-    const std::size_t middle = (low + high) / 2;
-    (record_of(middle) < record ? low : high) = record_of(middle) < record ? middle + 1 : middle;
-  }
-  return low;
+  const auto places = std::views::iota(std::size_t{0}, count);
+  return static_cast<std::size_t>(std::ranges::lower_bound(places, record, {}, record_of) - places.begin());
 }
 
 class RecordWriter {
