@@ -30,6 +30,15 @@ struct Labels {
   std::vector<Label> directions, arcs;
 };
 
+// The labels that label_of(limit) gives a claimed list, or a true one.
+template <typename List, typename LabelOf>
+auto labels_of(const List& list, const LabelOf& label_of) {
+  Labels<decltype(label_of(list.arcs.front()))> labels;
+  for (const auto& direction : list.directions) labels.directions.push_back(label_of(direction.limit));
+  for (const auto& arc : list.arcs) labels.arcs.push_back(label_of(arc));
+  return labels;
+}
+
 constexpr std::size_t kMostLimitsShown = 12;
 
 class LambdaLists {
@@ -44,9 +53,7 @@ class LambdaLists {
     if (truth.directions.size() == 2 && truth.arcs.empty() && run_.true_side(k, 0) == 1) {
       std::swap(truth.directions[0], truth.directions[1]);
     }
-    Labels<NamedTarget> labels;
-    for (const ClaimedDirection& one : claimed.directions) labels.directions.push_back(rightly_named(run_, one.limit));
-    for (const ClaimedTarget& arc : claimed.arcs) labels.arcs.push_back(rightly_named(run_, arc));
+    const auto labels = labels_of(claimed, [this](const ClaimedTarget& limit) { return rightly_named(run_, limit); });
     const std::vector<std::size_t> turns = right_turns(labels, truth, is_cycle(record));
     if (turns.empty()) {
       find(k, FindingReason::kWrongLambdaList, "FC-UNST-02", text_of_claimed(claimed), text_of_true(truth));
@@ -208,17 +215,9 @@ class LambdaLists {
     return std::to_string(labels.directions.size()) + " directions and " + std::to_string(labels.arcs.size()) +
            " arcs: " + (text.empty() ? "none" : text);
   }
-  static std::string text_of_claimed(const ClaimedLambdaList& list) {
-    Labels<std::string> labels;
-    for (const ClaimedDirection& one : list.directions) labels.directions.push_back(target_text(one.limit));
-    for (const ClaimedTarget& arc : list.arcs) labels.arcs.push_back(target_text(arc));
-    return list_text(labels);
-  }
+  static std::string text_of_claimed(const ClaimedLambdaList& list) { return list_text(labels_of(list, target_text)); }
   [[nodiscard]] std::string text_of_true(const LambdaList& list) const {
-    Labels<std::string> labels;
-    for (const LambdaList::Direction& one : list.directions) labels.directions.push_back(text_of(one.limit));
-    for (const Limit& arc : list.arcs) labels.arcs.push_back(text_of(arc));
-    return list_text(labels);
+    return list_text(labels_of(list, [this](const Limit& limit) { return text_of(limit); }));
   }
 
   CheckRun& run_;

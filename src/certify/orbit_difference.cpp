@@ -49,11 +49,9 @@ PathDifference wrong(std::size_t k, const std::string& claimed, const std::strin
 
 // ---- Comparing
 
-bool are_same_where_claimed(const Contact& claimed, const Contact& truth) { return !claimed || claimed == truth; }
-
 std::optional<PathDifference> contact_difference(std::size_t k, const char* what, const Contact& claimed,
                                                  const Contact& truth) {
-  if (are_same_where_claimed(claimed, truth)) return std::nullopt;
+  if (!claimed || claimed == truth) return std::nullopt;
   return wrong(k, fmt::format("{}, {}", what, contact_words(claimed)), contact_words(truth));
 }
 

@@ -4,6 +4,7 @@
 // Guarantees: no stationary point within the tolerance is overlooked. Whether one is within is decided exactly.
 #include <algorithm>
 #include <array>
+#include <boost/container_hash/hash.hpp>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -40,9 +41,6 @@ class PositionGrid {
 
  private:
   using Cell = std::array<std::int64_t, 3>;
-  struct Hash {
-    std::size_t operator()(const Cell& cell) const;
-  };
   [[nodiscard]] Cell cell_of(const std::array<double, 3>& position) const;
 
   struct Reach {
@@ -53,19 +51,10 @@ class PositionGrid {
   std::vector<ExactSphere> spheres_;
   std::vector<Reach> reaches_;
   double cell_size_ = 1;
-  std::unordered_map<Cell, std::vector<std::size_t>, Hash> cells_;
+  std::unordered_map<Cell, std::vector<std::size_t>, boost::hash<Cell>> cells_;
 };
 
 constexpr double kLargest = std::numeric_limits<double>::max();
-
-std::size_t PositionGrid::Hash::operator()(const Cell& cell) const {
-  std::uint64_t hash = 0;
-  for (const std::int64_t part : cell) {
-    hash = (hash ^ static_cast<std::uint64_t>(part)) * 0x9e3779b97f4a7c15u;
-    hash ^= hash >> 29;
-  }
-  return hash;
-}
 
 PositionGrid::PositionGrid(Truth& truth, double tolerance) {
   // The tolerance refers to at most the largest of radius and coordinates. Each compared position is rounded by less

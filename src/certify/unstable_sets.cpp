@@ -48,12 +48,6 @@ std::string segment_text(const auto& segment) {
          ends_text(corner_text(segment.back), corner_text(segment.front));
 }
 
-std::vector<std::size_t> places_below(std::size_t count) {
-  std::vector<std::size_t> places(count);
-  std::iota(places.begin(), places.end(), std::size_t{0});
-  return places;
-}
-
 class UnstableSets {
  public:
   explicit UnstableSets(CheckRun& run) : run_(run) {}
@@ -84,7 +78,8 @@ class UnstableSets {
   // True vertices are in lexicographic order. Claimed ones are taken in theirs, so that each is near its partner.
   void check_vertices(std::size_t k, const std::vector<ClaimedPosition>& claimed,
                       const std::vector<RationalPoint>& truth, const ValueScale& scale) {
-    std::vector<std::size_t> order = places_below(claimed.size());
+    std::vector<std::size_t> order(claimed.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::sort(order, {}, [&](std::size_t i) { return values_of(claimed[i]); });
     Comparison found = PieceMatcher(PieceNames::none(claimed.size(), truth.size()), [&](std::size_t c, std::size_t i) {
                          return match_position(claimed[order[c]], truth[i], scale);
