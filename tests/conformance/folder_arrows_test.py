@@ -38,11 +38,11 @@ ARROWS = {
     "fuzz/commands/mpi": ["fuzz/commands"],
     "fuzz/targets": ["fuzz/properties", "oracle/program", "src/certify/claims"],
     "tests": ["src/certify"],
-    "tests/vectors": ["fuzz/inputs", "oracle/program"],
+    "tests/vectors": ["tests", "fuzz/inputs", "oracle/program"],
     "tests/conformance": ["tests", "tests/vectors", "src/certify"],
     "tests/property": ["tests", "fuzz/campaign", "fuzz/judge", "src/certify"],
     "tests/hostile": ["tests"],
-    "tests/unit": ["tests/property", "fuzz/campaign", "fuzz/judge", "src/cli"],
+    "tests/unit": ["tests/property", "tests/vectors", "fuzz/campaign", "fuzz/judge", "src/cli"],
     "tests/bench": ["tests/property"],
 }
 # The program's main file alone puts together what the other folders keep apart.
