@@ -10,9 +10,11 @@
 #include "cli/progress.h"
 #include "cli/table.h"
 #include "cli/wrapped_text.h"
+#include "flowcert/write_stationary_points.h"
 #include "geometry/parallel_for.h"
 #include "io/diagnostic.h"
 #include "io/number_text.h"
+#include "io/output_file.h"
 
 namespace flowcert::cli {
 
@@ -188,6 +190,21 @@ void add_threads_option(CLI::App& command, unsigned& threads) {
                   "How many threads compute; all cores, without this. The results are the same for any number; the "
                   "triangulation takes one")
       ->check(CLI::Range(1U, kMost));
+}
+
+void add_certificate_option(CLI::App& command, std::string& path) {
+  command
+      .add_option("--certificate", path,
+                  "Write the Delaunay cells to this file, about two bytes each; flowcert-proof proves from them that "
+                  "the results are right and that nothing is missing")
+      ->check(complaint_about_path);
+}
+
+void write_certificate_file(const std::string& path, const std::string& output, const FlowComplex& complex) {
+  if (path.empty()) return;
+  if (path == output) throw InvalidInput("-o and --certificate would both write to " + display_name(path));
+  const ProgressLine progress("writing the certificate");
+  io::write_whole_file(path, [&](std::ostream& out) { write_certificate(out, complex); });
 }
 
 }  // namespace flowcert::cli

@@ -42,6 +42,7 @@ void add_medial_command(CLI::App& app);
 void add_orbit_command(CLI::App& app);
 void add_persistence_command(CLI::App& app);
 void add_pockets_command(CLI::App& app);
+void add_points_command(CLI::App& app);
 // Several: completion, manual and share-files. They say what the program offers at the time when they are called.
 void add_shell_commands(CLI::App& app);
 void add_stats_command(CLI::App& app);
@@ -104,6 +105,11 @@ std::array<CLI::Option*, 2> add_flow_options(CLI::App& command, FlowChoice& choi
 
 // The option --threads, of commands that compute: all cores without it. Results do not depend on it.
 void add_threads_option(CLI::App& command, unsigned& threads);
+
+// The option --certificate, of commands whose results follow from the triangulation alone.
+void add_certificate_option(CLI::App& command, std::string& path);
+// Writes that file, if there is a path. It must be another one than that of -o.
+void write_certificate_file(const std::string& path, const std::string& output, const FlowComplex& complex);
 
 // The path that stands for standard input or standard output.
 inline constexpr char kStandardStream[] = "-";

@@ -31,6 +31,7 @@ namespace {
 
 struct ComputeOptions : InputOptions {
   std::string output;
+  std::string certificate;
   bool json = false;
   unsigned runs = 1;
   std::vector<std::string> manifolds;  // "u2", "s2", "all"
@@ -126,6 +127,7 @@ void compute(const ComputeOptions& options) {
       measure(input.points, options.runs, complex_options(input, options.u2.options()), parts, made);
   tell_of_many_cells(*measured.last);
   if (!options.output.empty()) write_records(options, measured);
+  write_certificate_file(options.certificate, options.output, *measured.last);
   if (options.json) {
     print_compute_summary(input, measured, options.u2);
   } else if (!is_streamed) {
@@ -223,6 +225,7 @@ void add_compute_command(CLI::App& app) {
       ->check(CLI::IsMember({"exact", "double", "none"}))
       ->capture_default_str()
       ->needs(output);
+  add_certificate_option(*command, options->certificate);
   command->add_option("--runs", options->runs, "Measure this many times and print medians; 5 for a ratio to quote")
       ->check(CLI::Range(1, 1000));
   add_export_options(*command, *options);
@@ -230,6 +233,7 @@ void add_compute_command(CLI::App& app) {
   add_threads_option(*command, options->threads);
   command->footer(
       "Examples:\n  flowcert compute bunny.obj\n  flowcert compute bunny.obj -o bunny.jsonl\n"
+      "  flowcert compute bunny.obj -o bunny.jsonl --certificate bunny.fcert\n"
       "  flowcert compute bunny.obj --manifolds u2,s2 --stats\n"
       "  flowcert compute bunny.obj --manifolds all --volumes exact -o bunny.jsonl\n"
       "  flowcert compute bunny.obj --export bunny-files");

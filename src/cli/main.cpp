@@ -74,6 +74,7 @@ void add_commands(CLI::App& app, int& status) {
   add_orbit_command(app);
   add_locate_command(app);
   add_medial_command(app);
+  add_points_command(app);
   add_check_command(app, status);
   add_conformance_command(app, status);
   add_generate_command(app, status);

@@ -31,6 +31,7 @@ namespace {
 
 struct PersistenceOptions : InputOptions {
   std::string output;
+  std::string certificate;
   bool json = false;
   bool is_plain = false;
   bool with_zero = false;
@@ -214,6 +215,7 @@ void print_persistence(const PersistenceOptions& options) {
   const bool is_streamed = options.output == kStandardStream;
   if (is_streamed) fmt::print("{}", text_of(options, diagram));
   if (!is_streamed && !options.output.empty()) write_file(options.output, text_of(options, diagram));
+  write_certificate_file(options.certificate, options.output, complex);
   if (options.json) {
     print_json(input, measured, diagram, options.seed);
   } else if (!is_streamed) {
@@ -243,6 +245,7 @@ void add_persistence_command(CLI::App& app) {
           ->check(complaint_about_path);
   command->add_flag("--plain", options->is_plain, "The file has distances that are not squared; check refuses it")
       ->needs(output);
+  add_certificate_option(*command, options->certificate);
   command->add_flag("--json", options->json, "Print one JSON object, all exact, with the critical points");
   command->add_flag("--zero", options->with_zero, "Regular stationary points as well, as pairs of length zero");
   command

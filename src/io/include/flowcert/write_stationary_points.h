@@ -40,4 +40,9 @@ struct RecordsToWrite {
 void write_stationary_points(std::ostream& out, const FlowComplex& complex, const RecordsToWrite& wanted = {},
                              const Progress& progress = {});
 
+// Writes a certificate (spec/formats/certificates.md): the Delaunay cells, two to three bytes each, from which a checker
+// that knows nothing of this library proves a list of stationary points. The stream's state says whether all was
+// written. O(cells).
+void write_certificate(std::ostream& out, const FlowComplex& complex);
+
 }  // namespace flowcert

@@ -1,0 +1,64 @@
+// `flowcert points`: the points of a file, as every command reads them, in a form that needs no reader. A checker of
+// certificates takes them so, where the file is not plain text (spec/formats/certificates.md).
+#include <CLI/CLI.hpp>
+#include <bit>
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "cli/command.h"
+#include "cli/layer.h"
+#include "cli/table.h"
+#include "flowcert/reproducibility.h"
+#include "io/output_file.h"
+
+namespace flowcert::cli {
+
+namespace {
+
+struct PointsOptions {
+  std::string input;
+  ReadingOptions reading;
+  std::string output;
+};
+
+// 24 bytes a row: x, y and z as little-endian doubles.
+void write_rows(std::ostream& out, const PointSet& points) {
+  std::string bytes;
+  for (PointId row = 0; row < points.row_count(); ++row) {
+    bytes.clear();
+    for (const double coordinate : points.at_row(row).coordinates()) {
+      const auto bits = std::bit_cast<std::uint64_t>(coordinate);
+      for (int shift = 0; shift < 64; shift += 8) bytes += static_cast<char>(bits >> shift & 0xff);
+    }
+    out << bytes;
+  }
+}
+
+void run_points(const PointsOptions& options) {
+  const Input input = read_input(options.input, options.reading);
+  if (options.output == kStandardStream) return write_rows(std::cout, input.points);
+  io::write_whole_file(options.output, [&](std::ostream& out) { write_rows(out, input.points); });
+  print_wrapped(display_name(options.input) + " (" + input.file.format + ")");
+  print_point_counts(input.points);
+  print_row("SHA-256", coordinates_sha256(input.points));
+}
+
+}  // namespace
+
+void add_points_command(CLI::App& app) {
+  auto options = std::make_shared<PointsOptions>();
+  CLI::App* command = app.add_subcommand("points", "The points of a file as raw doubles, for flowcert-proof");
+  add_input_options(*command, options->input, options->reading);
+  command
+      ->add_option("-o,--output", options->output,
+                   "Write the points to this file, 24 bytes each: x, y and z as little-endian IEEE doubles, in the "
+                   "order of the rows, with repeated ones; -: to standard output")
+      ->required()
+      ->check(complaint_about_path);
+  command->footer("Examples:\n  flowcert points bunny.obj -o bunny.f64");
+  command->callback([options] { run_points(*options); });
+}
+
+}  // namespace flowcert::cli
