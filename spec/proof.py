@@ -1,0 +1,660 @@
+#!/usr/bin/env python3
+"""Proves that cells are a Delaunay triangulation of points, and that a list has all stationary points, or rejects them.
+
+    proof.py SCAN CERTIFICATE [LIST]                       LIST: as `flowcert compute SCAN -o LIST` writes it
+    proof.py SCAN --cells FILE [--from-cells CERTIFICATE]  FILE: d+1 rows of SCAN a line, in any order
+
+SCAN is a file .xyz, three decimals a row, or .f64, raw doubles. A certificate (.fcert) is a triangulation, and nobody
+has to trust who made it: the conditions T0 to T8 of Theorem 1 say whether it is Delaunay. By Theorem 2 it has all
+stationary points, and tells their kinds and contact sets; the list has to be the same, line by line.
+--cells asks the same of a plain list of cells, and --from-cells writes the certificate of a right one.
+
+Only integers decide: coordinates are integers times one power of two. No package is needed.
+Exit status: 0 if all of it is proved, 1 if a condition fails or the list differs, 2 for what cannot be decoded.
+"""
+import argparse, hashlib, math, re, struct, sys
+from fractions import Fraction
+from itertools import combinations
+from pathlib import Path
+
+sys.set_int_max_str_digits(0)
+
+
+class Rejected(Exception):
+    """A condition of Theorem 1 fails, or a list is not that of the stationary points."""
+
+
+class Undecodable(Exception):
+    """What cannot be read: nothing is said of it."""
+
+
+# ---- Vectors of integers
+
+
+def minus(a, b):
+    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+
+
+def weighed_sum(weights, vectors):
+    return tuple(sum(weight * v[k] for weight, v in zip(weights, vectors)) for k in range(3))
+
+
+def dot(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+# ---- Points
+
+DECIMAL = rb"-?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:e[+-]?[0-9]+)?"
+ROW = re.compile(rb"(%b)[ \t]+(%b)[ \t]+(%b)(?:\r?\n)?" % (DECIMAL, DECIMAL, DECIMAL))
+
+
+def rows_in(path):
+    """The rows of a file of points; an empty one for what is no row."""
+    if path.endswith(".xyz"):
+        with open(path, "rb") as lines:
+            for line in lines:
+                found = ROW.fullmatch(line)
+                yield tuple(map(float, found.groups())) if found else ()
+    elif path.endswith(".f64"):
+        data = Path(path).read_bytes()
+        for start in range(0, len(data), 24):
+            yield struct.unpack_from("<3d", data, start) if start + 24 <= len(data) else ()
+    else:
+        raise Undecodable(f"{path}: neither .xyz nor .f64")
+
+
+class Points:
+    """The rows of a file. Equal ones are a class, which has the number of its first row as its name."""
+
+    def __init__(self, path):
+        digest, ratios, classes = hashlib.sha256(), [], {}
+        for number, row in enumerate(rows_in(path), 1):
+            if not row or not all(map(math.isfinite, row)):
+                raise Undecodable(f"{path}:{number}: not three finite numbers")
+            digest.update(struct.pack("<3d", *(x + 0.0 for x in row)))  # of a zero without its sign
+            ratios.append([x.as_integer_ratio() for x in row])
+        self.sha256 = digest.hexdigest()
+        self.shift = max((below.bit_length() - 1 for row in ratios for _, below in row), default=0)
+        self.at = [tuple((above << self.shift) // below for above, below in row) for row in ratios]  # times 2^-shift
+        for number, position in enumerate(self.at):
+            classes.setdefault(position, []).append(number)
+        self.name = [classes[position][0] for position in self.at]
+        self.distinct = [members[0] for members in classes.values()]
+        self.classes = [members for members in classes.values() if len(members) > 1]
+
+
+# ---- Theorem 1
+
+
+def face_of(simplex, turn, i):
+    """Face i of an oriented simplex, the one without vertex i: its vertices sorted, and the orientation induced on it.
+
+    An orientation is 0 or 1: whether the vertices have to be permuted oddly."""
+    rest = simplex[:i] + simplex[i + 1:]
+    return tuple(sorted(rest)), (turn + i + sum(a > b for a, b in combinations(rest, 2))) % 2
+
+
+class Triangulation:
+    """Cells, of d+1 names of points each, and which of their facets are paired. Facet i is the one without vertex i.
+
+    mates[c][i] is None, or the facet (cell, place) that facet i of cell c is paired with.
+    A method that is said to be of some conditions rejects the cells unless these hold."""
+
+    def __init__(self, points, dimension, verdict):
+        self.points, self.at, self.dimension, self.verdict = points, points.at, dimension, verdict
+        self.cells, self.mates = [], []
+        self.facets = {}  # by sorted vertices: (cell, place, orientation) if it is open, else what a further cell is
+
+    def reject(self, condition, where, why):
+        raise Rejected(self.verdict.format(f"{condition} {where}: {why}"))
+
+    def enter(self, cell, front=None, place=None):
+        """Adds a cell, and pairs its facets with open ones (T2). Its facet `place` belongs to the facet `front`.
+
+        The result is the list of facets that are open from now on."""
+        c, opened = len(self.cells), []
+        self.cells.append(cell)
+        self.mates.append([None] * len(cell))
+        if front:
+            self.pair((c, place), front)
+        for i in range(len(cell)):
+            if i == place:
+                continue
+            key, turn = face_of(cell, 0, i)
+            other = self.facets.get(key)
+            if other is None:
+                self.facets[key] = (c, i, turn)
+                opened.append((c, i))
+            elif isinstance(other, str):
+                self.reject("T2", f"cell {c}", f"{other}, {list(key)}")
+            elif other[2] == turn:
+                self.reject("T2", f"cell {c}", f"on the same side of the facet {list(key)} as cell {other[0]}")
+            else:
+                self.pair((c, i), other[:2])
+        return opened
+
+    def pair(self, one, other):
+        self.mates[one[0]][one[1]], self.mates[other[0]][other[1]] = other, one
+        self.close(one, "a third cell at the facet")
+
+    def close(self, facet, further):
+        self.facets[face_of(self.cells[facet[0]], 0, facet[1])[0]] = further
+
+    def vectors(self, start, ends):
+        return [minus(self.at[p], start) for p in ends]
+
+    def check_dimension(self, first):
+        """T0. In dimension 1 and 2 it finds the axis that tells volumes, one along which the first cell is not flat."""
+        distinct, d, self.axis, self.turn = self.points.distinct, self.dimension, None, 1
+        if min(len(distinct) - 1, 1) != min(d, 1):
+            self.reject("T0", f"dimension {d}", f"there are {len(distinct)} different points")
+        if d not in (1, 2):
+            return
+        origin = self.at[first[0]]
+        edges = self.vectors(origin, first[1:])
+        normal = cross(*edges) if d == 2 else edges[0]
+        self.axis = next((k for k in range(3) if normal[k]), None)
+        if self.axis is None:
+            self.reject("T1", "cell 0", "its volume is 0")
+        self.turn = 1 if normal[self.axis] > 0 else -1
+        for p, v in zip(distinct, self.vectors(origin, distinct)):
+            if dot(normal, v) if d == 2 else any(cross(normal, v)):
+                self.reject("T0", f"point {p}", "outside of the affine hull of cell 0")
+
+    def volume(self, v):
+        """Of d vectors, up to one positive factor. In dimension 1 and 2 the first cell has a positive one."""
+        if self.dimension == 3:
+            return dot(v[0], cross(v[1], v[2]))
+        return self.turn * (cross(*v) if self.dimension == 2 else v[0])[self.axis]
+
+    def volume_of_cell(self, cell):
+        return self.volume(self.vectors(self.at[cell[0]], cell[1:]))
+
+    def facet(self, c, i):
+        """The vertices w of facet i of cell c, and the sign that volume(w - x) has for x on the cell's side."""
+        return self.cells[c][:i] + self.cells[c][i + 1:], -1 if i % 2 else 1
+
+    def outside_sphere(self, cell, p):
+        """Positive where a point is outside of the sphere of a cell of positive volume, 0 where it is on it.
+
+        This is the volume of the cell lifted to the paraboloid around the point. The sign is right at the centre, where
+        all lifts are equal, and the sum is less than 0: one of them times the volume of the cell, negated."""
+        v = self.vectors(self.at[p], cell)
+        return sum((1 if i % 2 else -1) * dot(u, u) * self.volume(v[:i] + v[i + 1:]) for i, u in enumerate(v))
+
+    def check_cells(self):
+        """T1, T3 and T8. cospherical[c][i]: facet i of cell c is paired, and the cell behind it has the same sphere."""
+        for c, cell in enumerate(self.cells):
+            if self.volume_of_cell(cell) <= 0:
+                self.reject("T1", f"cell {c}", "its volume is not positive")
+        self.cospherical = [[False] * len(cell) for cell in self.cells]
+        for c, cell in enumerate(self.cells):
+            for i, mate in enumerate(self.mates[c]):
+                if mate and mate[0] > c:
+                    other, j = mate
+                    outside = self.outside_sphere(cell, self.cells[other][j])
+                    if outside < 0:
+                        self.reject("T3", f"cell {c}", f"vertex {self.cells[other][j]} of cell {other} is in its sphere")
+                    self.cospherical[c][i] = self.cospherical[other][j] = outside == 0
+        for p in set(self.points.distinct).difference(*self.cells) if self.cells else ():
+            self.reject("T8", f"point {p}", "no vertex of a cell")
+
+    def check_hull(self):
+        """T4 to T7, of B, the unpaired facets. B is not empty: T1 and T2 alone say so.
+
+        In dimension 1 the only ridge is the empty one, and has both ends of the chain."""
+        hull = [(c, *self.facet(c, i)) for c, mates in enumerate(self.mates) for i, mate in enumerate(mates) if not mate]
+        ridges, n = {}, self.dimension + 1
+        for facet in hull:
+            _, w, side = facet
+            for i in range(len(w)):
+                ridge, turn = face_of(w, side < 0, i)
+                ridges.setdefault(ridge, []).append((turn, w[i], facet))
+        for ridge, sides in ridges.items():
+            if len(sides) != 2 or sides[0][0] == sides[1][0]:
+                self.reject("T4", f"cell {sides[0][2][0]}", f"{len(sides)} facets of the hull at {list(ridge)}")
+
+        middle = weighed_sum([1] * n, [self.at[p] for p in self.cells[0]])  # o, times n; so are vectors from o
+        seen = {p: weighed_sum((n, -1), (self.at[p], middle)) for _, w, _ in hull for p in w}
+        for c, w, side in hull:
+            if side * self.volume([seen[p] for p in w]) <= 0:
+                self.reject("T5", f"cell {c}", f"the middle of cell 0 is not on the inner side of its facet {list(w)}")
+
+        for (_, _, (c, w, side)), (_, opposite, _) in ridges.values():
+            if side * self.volume(self.vectors(self.at[opposite], w)) < 0:
+                self.reject("T6", f"cell {c}", f"point {opposite} of the hull is outside of its facet {list(w)}")
+
+        ray = weighed_sum([1] * n, [seen[p] for p in hull[0][1]])
+        for c, w, side in hull[1:]:
+            v = [seen[p] for p in w]
+            if all(side * self.volume(v[:i] + [ray] + v[i + 1:]) >= 0 for i in range(len(w))):
+                self.reject("T7", f"cell {c}", f"its facet {list(w)} meets the ray through {list(hull[0][1])}")
+
+    def center(self, simplex):
+        """The centre of the smallest sphere through 1 to 4 points: a vector from the first one, times 2k, and k."""
+        v = self.vectors(self.at[simplex[0]], simplex[1:])
+        if len(v) < 2:
+            return v[0] if v else (0, 0, 0), 1
+        a, b, c = v if len(v) == 3 else (*v, cross(*v))
+        lifts = [dot(u, u) for u in v]
+        return weighed_sum(lifts, (cross(b, c), cross(c, a), cross(a, b))), dot(cross(a, b), c)  # of a triangle k > 0
+
+    def exact_center(self, simplex):
+        """The centre and the squared radius, as fractions."""
+        toward, k = self.center(simplex)
+        scale = 2 * k << self.points.shift
+        position = [Fraction(2 * k * x + y, scale) for x, y in zip(self.at[simplex[0]], toward)]
+        return position, Fraction(dot(toward, toward), scale * scale)
+
+
+# ---- Certificates
+
+COUNT = b"(0|[1-9][0-9]{0,17})"
+HEAD = re.compile(b"flowcert-certificate 1\npoints %b\n(?:sha256 ([0-9a-f]{64})\n)?dimension (-1|[0-3])\ncells %b\n\n"
+                  % (COUNT, COUNT))
+
+
+def cell_behind(cell, i, apex):
+    """The cell of facet i and an apex on its other side, and the place of the apex in it.
+
+    Two other vertices are swapped, so that it induces the opposite orientation on the facet."""
+    vertices = list(cell)
+    vertices[i] = apex
+    a, b = [j for j in range(len(cell)) if j != i or len(cell) == 2][:2]
+    vertices[a], vertices[b] = vertices[b], vertices[a]
+    return tuple(vertices), 1 - i if len(cell) == 2 else i
+
+
+def numbers_in(body):
+    """The numbers of a body: 7 bits a byte, low ones first; the eighth bit says that the number goes on."""
+    value = shift = 0
+    for byte in body:
+        value |= (byte & 127) << shift
+        shift += 7
+        if value > 1 << 33 or byte >= 128 and shift == 35:
+            raise Undecodable("a number beyond 2^33, or of more than five bytes")
+        if byte < 128:
+            yield value
+            value = shift = 0
+    if shift:
+        raise Undecodable("the last number is cut short")
+
+
+def glue(found, announced, numbers):
+    """Reads cells. Each but the first is glued to the open facet of an earlier one that comes last."""
+    names = set(found.points.distinct)
+
+    def vertex(name):
+        if name not in names:
+            raise Undecodable(f"{name} is not the first row of a class of points")
+        return name
+
+    if (found.dimension < 1) != (announced == 0):
+        raise Undecodable("the dimension does not go with the number of cells")
+    stack = found.enter(tuple([vertex(next(numbers)) for _ in range(found.dimension + 1)])) if announced else []
+    while stack:
+        c, i = stack.pop()
+        if found.mates[c][i]:
+            continue
+        code = next(numbers)
+        if code == 0:
+            found.close((c, i), "a second cell at a facet that was left unpaired")
+            continue
+        if len(found.cells) == announced:
+            raise Undecodable("more cells than announced")
+        step = code // 2 * (1 if code % 2 else -1)  # 0, -1, 1, -2, 2 for the codes 1, 2, 3, 4, 5
+        cell, place = cell_behind(found.cells[c], i, vertex(found.cells[c][i] + step))
+        stack += found.enter(cell, (c, i), place)
+    if len(found.cells) < announced or next(numbers, None) is not None:
+        raise Undecodable("fewer cells than announced, or more bytes than those of the cells")
+
+
+def read_certificate(path, points):
+    """The cells of a certificate, and its hash of the points or None."""
+    data = Path(path).read_bytes()
+    head = HEAD.match(data)
+    if not head:
+        raise Undecodable(f"{path}: cannot be decoded: no header of version 1")
+    if int(head[1]) != len(points.at) or head[2] and head[2].decode() != points.sha256:
+        raise Undecodable(f"{path}: not of these points: their number or their sha256 differs")
+    found = Triangulation(points, int(head[3]), "certificate rejected: {}, nothing is said of the list")
+    try:
+        glue(found, int(head[4]), numbers_in(memoryview(data)[head.end():]))
+    except (Undecodable, StopIteration) as error:
+        raise Undecodable(f"{path}: cannot be decoded: {str(error) or 'it is cut short'}") from None
+    found.check_dimension(found.cells[0] if found.cells else ())
+    return found, head[2]
+
+
+def read_cells(path, points):
+    """Cells in a file of text. They are oriented here, and get the names of their points' classes."""
+    cells, oriented = [], []
+    with open(path, "rb") as lines:
+        for number, line in enumerate(lines, 1):
+            is_cell = re.fullmatch(rb"[0-9]{1,10}(?:[ \t]+[0-9]{1,10}){1,3}(?:\r?\n)?", line)
+            rows = tuple(map(int, line.split())) if is_cell else ()
+            if not rows or max(rows) >= len(points.at) or cells and len(rows) != len(cells[0]):
+                raise Undecodable(f"{path}:{number}: not rows of points, two to four and as many as in the first line")
+            cells.append(tuple(points.name[row] for row in rows))
+    found = Triangulation(points, len(cells[0]) - 1 if cells else len(points.at[:1]) - 1, "cells rejected: {}")
+    found.check_dimension(cells[0] if cells else ())
+    for c, cell in enumerate(cells):
+        volume = found.volume_of_cell(cell)
+        if volume == 0:
+            found.reject("T1", f"cell {c}", "its volume is 0")
+        oriented.append(cell if volume > 0 else (cell[1], cell[0], *cell[2:]))
+    for cell in oriented:
+        found.enter(cell)
+    return found
+
+
+def encode(found):
+    """The certificate of a triangulation. The first cell comes first."""
+    numbers, placed, stack, body = [], {}, [], bytearray()
+
+    def behind(c, i):
+        """The mate of facet i of a cell as it is placed: its vertices may have another order than in found.cells."""
+        return found.mates[c][found.cells[c].index(placed[c][i])]
+
+    def place(c, cell):
+        placed[c] = cell
+        stack.extend((c, i) for i in range(len(cell)) if not behind(c, i) or behind(c, i)[0] not in placed)
+
+    if found.cells:
+        numbers += found.cells[0]
+        place(0, found.cells[0])
+    while stack:
+        c, i = stack.pop()
+        if not behind(c, i):
+            numbers.append(0)
+        elif behind(c, i)[0] not in placed:
+            other, j = behind(c, i)
+            step = found.cells[other][j] - placed[c][i]
+            numbers.append(2 * step + 1 if step >= 0 else -2 * step)
+            place(other, cell_behind(placed[c], i, found.cells[other][j])[0])
+    for value in numbers:
+        while value >= 128:
+            body.append(value % 128 + 128)
+            value //= 128
+        body.append(value)
+    return (f"flowcert-certificate 1\npoints {len(found.at)}\nsha256 {found.points.sha256}\n"
+            f"dimension {found.dimension}\ncells {len(found.cells)}\n\n").encode() + body
+
+
+# ---- Theorem 2
+
+KINDS = ["0", "1", "2", "3", "[1,2]", "[1,3]", "[2,3]"]  # as a list has them, in the order of FC-OUT-02
+R12, R13, R23 = 4, 5, 6  # the places of kinds of regular points
+
+
+class StationaryPoints:
+    """All stationary points of a Delaunay triangulation: (place in KINDS, contact set, simplex with that centre).
+
+    Cells with the same sphere are connected, and tile the hull of all points on it: a cluster. The circle of a facet of
+    this hull has the points of all cells' facets with its outward normal."""
+
+    def __init__(self, triangulation):
+        self.t, self.at, self.dimension = triangulation, triangulation.at, triangulation.dimension
+        self.cells, self.mates = triangulation.cells, triangulation.mates
+        self.on_sphere, self.on_circle = [None] * len(self.cells), {}
+        self.find_clusters()
+        self.records = [(0, (p,), (p,)) for p in triangulation.points.distinct]
+        self.find_edges()
+        if self.dimension == 2:
+            self.records += [(2, self.on_sphere[c], cell) for c, cell in enumerate(self.cells) if self.is_acute(cell)]
+        if self.dimension == 3:
+            self.find_triangles_and_tetrahedra()
+        self.records.sort()
+        kinds = [kind for kind, _, _ in self.records]
+        self.counts = [kinds.count(kind) for kind in range(len(KINDS))]
+
+    def find_clusters(self):
+        """on_sphere[c]: all points on the sphere of cell c. on_circle[c, i]: those on the circle of its facet i, if it
+        is one of the hull of a cluster of several cells."""
+        for c in range(len(self.cells)):
+            cluster = [] if self.on_sphere[c] else [c]
+            for k in cluster:  # it grows meanwhile
+                for is_same, mate in zip(self.t.cospherical[k], self.mates[k]):
+                    if is_same and self.on_sphere[mate[0]] is None:
+                        self.on_sphere[mate[0]] = ()
+                        cluster.append(mate[0])
+            points = tuple(sorted({p for k in cluster for p in self.cells[k]}))
+            for k in cluster:
+                self.on_sphere[k] = points
+            if self.dimension == 3 and len(cluster) > 1:
+                self.find_circles(cluster)
+
+    def find_circles(self, cluster):
+        sides = {}
+        for c in cluster:
+            for i, is_same in enumerate(self.t.cospherical[c]):
+                if not is_same:
+                    facet, side = self.t.facet(c, i)
+                    normal = cross(*self.t.vectors(self.at[facet[0]], facet[1:]))
+                    outward = tuple(side * x // math.gcd(*normal) for x in normal)
+                    sides.setdefault(outward, []).append((c, i))
+        for facets in sides.values():
+            points = tuple(sorted({p for c, i in facets for p in self.t.facet(c, i)[0]}))
+            self.on_circle.update(dict.fromkeys(facets, points))
+
+    def circle(self, c, i):
+        """All points on the circle of facet i of cell c; in the plane, on that of the cell, and i is None.
+
+        It is asked where the facet's smallest sphere is empty, and the cell is not on it. Then the facet is one of the
+        hull of the cell's cluster: of cells on both sides with the same sphere, one has its apex inside the smallest."""
+        facet = None if i is None else tuple(sorted(self.t.facet(c, i)[0]))
+        return self.on_circle.get((c, i), facet) or self.on_sphere[c]
+
+    def angle(self, edge, p):
+        """Negative, 0 or positive where p is inside, on or outside of the smallest sphere around an edge."""
+        return dot(minus(self.at[edge[0]], self.at[p]), minus(self.at[edge[1]], self.at[p]))
+
+    def find_edges(self):
+        """R1. By edge: the link vertices on its smallest sphere, each with a facet, or None if one is inside; and the
+        cells with all vertices on it."""
+        link_zeros, cell_zeros = {}, {}
+        for c, cell in enumerate(self.cells):
+            for edge in combinations(sorted(cell), 2):
+                link = [p for p in cell if p not in edge]
+                angles, zeros = [self.angle(edge, p) for p in link], link_zeros.setdefault(edge, {})
+                if zeros is None or min(angles, default=1) < 0:
+                    link_zeros[edge] = None
+                    continue
+                zeros.update({p: (c, cell.index(link[1 - k]) if self.dimension == 3 else None)
+                              for k, p in enumerate(link) if angles[k] == 0})
+                if angles == [0, 0]:
+                    cell_zeros.setdefault(edge, []).append((c, link))
+        self.records += [(*self.kind_of_edge(edge, zeros, cell_zeros.get(edge, [])), edge)
+                         for edge, zeros in link_zeros.items() if zeros is not None]
+
+    def kind_of_edge(self, edge, zeros, cells):
+        """Its kind and contact set: the a of Theorem 2 is len(zeros), and b is len(cells)."""
+        if not zeros:
+            return 1, edge
+        if not cells:
+            return R12 if len(zeros) == 1 else 2, self.circle(*next(iter(zeros.values())))
+        kind = 3
+        if len(zeros) != len(cells):
+            link = [p for _, two in cells for p in two]
+            a, b, c = self.t.vectors(self.at[edge[0]], [edge[1], *(p for p in link if link.count(p) == 1)])
+            kind = R23 if dot(a, cross(b, c)) == 0 else R13
+        return kind, self.on_sphere[cells[0][0]]
+
+    def is_acute(self, triangle):
+        p, q, r = triangle
+        return self.angle((p, q), r) > 0 and self.angle((q, r), p) > 0 and self.angle((r, p), q) > 0
+
+    def find_triangles_and_tetrahedra(self):
+        """R2 and R3. A tetrahedron has its centre inside iff each vertex is outside of the smallest sphere around the
+        facet opposite: iff it is on the same side of the facet as the centre."""
+        is_central = [True] * len(self.cells)
+        for c in range(len(self.cells)):
+            for i, mate in enumerate(self.mates[c]):
+                if mate and mate[0] < c:
+                    continue
+                facet, both = self.t.facet(c, i)[0], [(c, i), mate] if mate else [(c, i)]
+                toward, k = self.t.center(facet)
+                v = self.t.vectors(self.at[facet[0]], [self.cells[other][j] for other, j in both])
+                outside = [k * dot(u, u) - dot(toward, u) for u in v]
+                for (other, _), how in zip(both, outside):
+                    is_central[other] = is_central[other] and how > 0
+                if min(outside) >= 0 and self.is_acute(facet):
+                    zeros = [other for (other, _), how in zip(both, outside) if how == 0]
+                    contact = self.on_sphere[zeros[0]] if zeros else self.circle(c, i)
+                    self.records.append(((2, R23, 3)[len(zeros)], contact, facet))
+        self.records += [(3, self.on_sphere[c], cell) for c, cell in enumerate(self.cells) if is_central[c]]
+
+
+# ---- Lists
+
+WHOLE, STRING = "(?:0|[1-9][0-9]*+)", r'"[^"\\\x00-\x1f]*+"'
+IDS = rf"\[(?:{WHOLE}(?:,{WHOLE})*+)?\]"
+NUMBER = rf"(?:null|-?{WHOLE}(?:\.[0-9]++)?(?:[eE][+-]?[0-9]++)?)"
+# The keys in their order, with their values' patterns; one with a question mark may lack.
+MADE_BY = dict.fromkeys(("version", "commit", "kernel", "compiler", "cgal"), STRING)
+COUNTS = {"points": WHOLE, "merged_duplicates": WHOLE, "critical": IDS,
+          "regular_stationary": rf'\{{"1-2":{WHOLE},"1-3":{WHOLE},"2-3":{WHOLE}\}}',
+          "classes": rf"\[(?:{IDS}(?:,{IDS})*+)?\]"}
+HEADER = {"format": STRING, "format_version": WHOLE, **MADE_BY, "input_sha256": STRING, "left_out?": IDS, **COUNTS,
+          "centers?": '"double"|"none"', "morse_smale?": "true|false", "hull_volume?": STRING, "volumes?": STRING}
+SETS = {"index": f"{WHOLE}|{IDS}", "kind": STRING, "contact": IDS}
+DOUBLES = {"center_double": rf"\[{NUMBER},{NUMBER},{NUMBER}\]", "squared_distance_double": NUMBER}
+EXACT = {"center": rf"\[{STRING},{STRING},{STRING}\]", "squared_distance": STRING}
+RECORDS = {None: {**SETS, **EXACT, **DOUBLES}, '"double"': {**SETS, **DOUBLES}, '"none"': SETS}
+
+
+class Lines:
+    """The lines of a list that have the keys of a shape, in its order and without a blank."""
+
+    def __init__(self, path, shape):
+        pairs = [('"{0}":(?P<{0}>{1})'.format(key.rstrip("?"), value), key) for key, value in shape.items()]
+        others = "".join(f"(?:,{pair})" + ("?" if key.endswith("?") else "") for pair, key in pairs[1:])
+        self.path, self.pattern = path, re.compile(r"\{" + pairs[0][0] + others + r"\}\n")
+        self.known = {key.rstrip("?") for key in shape} | {"1-2", "1-3", "2-3"}
+
+    def read(self, line, number):
+        """The values by key, as they are written."""
+        text = line.decode("utf-8", errors="replace")
+        found = self.pattern.fullmatch(text)
+        if not found:
+            unknown = next((key for key in re.findall(r'"([\w-]{1,40})":', text) if key not in self.known), None)
+            raise Undecodable(f"{self.path}:{number}: " + (f'the key "{unknown}" is not proved' if unknown else
+                                                           "cannot be decoded: not as compute writes it"))
+        return {key: value for key, value in found.groupdict().items() if value is not None}
+
+
+def ids(values):
+    return "[" + ",".join(map(str, values)) + "]"
+
+
+def nearest_double(value):
+    """The shortest decimal of the nearest double, without the sign of a zero; null where it would overflow."""
+    try:
+        return repr(value.numerator / value.denominator + 0.0)
+    except OverflowError:
+        return "null"
+
+
+def compare(number, found, expected):
+    """Texts are the same, and doubles have the same values."""
+    for key, right in expected.items():
+        text = found.get(key, right)
+        if key.endswith("_double"):
+            text = re.sub("[^][,nul]+", lambda decimal: repr(float(decimal[0]) + 0.0), text)
+        if text != right:
+            shown = [one if len(one) <= 80 else one[:77] + "..." for one in (text, right)]
+            raise Rejected(f"list refuted: line {number}: {key} is {shown[0]}, and has to be {shown[1]}")
+
+
+def expected_header(points, counts):
+    return {"format": '"flowcert-stationary-points"', "format_version": "1", "input_sha256": f'"{points.sha256}"',
+            "points": str(len(points.at)), "merged_duplicates": str(len(points.at) - len(points.distinct)),
+            "critical": ids(counts[:4]), "regular_stationary": '{{"1-2":{},"1-3":{},"2-3":{}}}'.format(*counts[4:]),
+            "classes": ids(map(ids, points.classes))}
+
+
+def expected_record(record, triangulation):
+    kind, contact, simplex = record
+    center, squared = triangulation.exact_center(simplex)
+    return {"index": KINDS[kind], "kind": '"critical"' if kind < 4 else '"regular"', "contact": ids(contact),
+            "center": ids(f'"{x}"' for x in center), "squared_distance": f'"{squared}"',
+            "center_double": ids(map(nearest_double, center)), "squared_distance_double": nearest_double(squared)}
+
+
+def check_list(path, triangulation, stationary):
+    """Reads a list line by line, and tells in sentences what is proved of it."""
+    header, records = expected_header(triangulation.points, stationary.counts), iter(stationary.records)
+    with open(path, "rb") as file:
+        head = Lines(path, HEADER).read(file.readline(), 1)
+        compare(1, head, header)
+        shape, number = RECORDS[head.get("centers")], 1
+        lines = Lines(path, shape)
+        for number, line in enumerate(file, 2):
+            found, record = lines.read(line, number), next(records, None)
+            if not record:
+                raise Rejected(f"list refuted: line {number}: a record more than there are stationary points")
+            compare(number, found, expected_record(record, triangulation))
+    for _, contact, _ in records:
+        raise Rejected(f"list refuted: line {number + 1}: not there, and has to have the contact {ids(contact)[:80]}")
+    return [f"proved, line by line of {path}: {', '.join(shape)}",
+            f"proved, header of {path}: {', '.join([*COUNTS, 'input_sha256'])}",
+            f"not compared, header of {path}: {', '.join(key for key in head if key not in header | {'centers': 0})}"]
+
+
+# ---- The program
+
+
+def prove(options):
+    """What is proved, in sentences."""
+    points, last = Points(options.scan), []
+    if options.cells:
+        triangulation = read_cells(options.cells, points)
+    else:
+        triangulation, digest = read_certificate(options.certificate, points)
+        last = ["hash of the points: compared" if digest else "no hash of the points"]
+    triangulation.check_cells()
+    if triangulation.cells:
+        triangulation.check_hull()
+    if options.from_cells:
+        Path(options.from_cells).write_bytes(encode(triangulation))
+    stationary = StationaryPoints(triangulation)
+    counts = "critical {} {} {} {}, regular 1-2: {}, 1-3: {}, 2-3: {}".format(*stationary.counts)
+    return [f"proved: these {len(triangulation.cells)} cells are a Delaunay triangulation of {len(points.at)} points "
+            f"({len(points.distinct)} different ones)",
+            f"proved: all {len(stationary.records)} stationary points: {counts}",
+            *(check_list(options.list, triangulation, stationary) if options.list else []), *last]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("scan", metavar="SCAN")
+    parser.add_argument("certificate", metavar="CERTIFICATE", nargs="?")
+    parser.add_argument("list", metavar="LIST", nargs="?")
+    parser.add_argument("--cells", metavar="FILE", help="a plain list of cells, instead of a certificate")
+    parser.add_argument("--from-cells", metavar="CERTIFICATE", help="where to write a certificate of these cells")
+    options = parser.parse_args()
+    if bool(options.cells) == bool(options.certificate) or options.from_cells and not options.cells:
+        parser.error("needs either a certificate or --cells; --from-cells goes with --cells")
+    sys.stdout.reconfigure(errors="backslashreplace")
+    try:
+        print("\n".join(prove(options)), flush=True)
+        return 0
+    except Rejected as error:
+        print(error, flush=True)
+        return 1
+    except Undecodable as error:
+        print(error, file=sys.stderr)
+    except OSError as error:
+        print(f"{error.filename or 'standard output'}: {error.strerror}", file=sys.stderr)
+    except MemoryError:
+        print("there is not enough memory", file=sys.stderr)
+    return 2
+
+
+if __name__ == "__main__":
+    sys.exit(main())
