@@ -62,8 +62,9 @@ def rows_in(path):
                 yield tuple(map(float, found.groups())) if found else ()
     elif path.endswith(".f64"):
         data = Path(path).read_bytes()
-        for start in range(0, len(data), 24):
-            yield struct.unpack_from("<3d", data, start) if start + 24 <= len(data) else ()
+        whole = len(data) // 24 * 24
+        yield from struct.iter_unpack("<3d", data[:whole])
+        yield from [()] * (len(data) > whole)
     else:
         raise Undecodable(f"{path}: neither .xyz nor .f64")
 
@@ -113,15 +114,15 @@ class Triangulation:
     def reject(self, condition, where, why):
         raise Rejected(self.verdict.format(f"{condition} {where}: {why}"))
 
-    def enter(self, cell, front=None, place=None):
-        """Adds a cell, and pairs its facets with open ones (T2). Its facet `place` belongs to the facet `front`.
+    def enter(self, cell, place=None, front=None):
+        """Adds a cell, and pairs its facets with open ones (T2). Its facet `place` belongs to the open facet `front`.
 
-        The result is the list of facets that are open from now on."""
+        The result has the facets that are open from now on: ((cell, place), sorted vertices)."""
         c, opened = len(self.cells), []
         self.cells.append(cell)
         self.mates.append([None] * len(cell))
         if front:
-            self.pair((c, place), front)
+            self.pair((c, place), *front)
         for i in range(len(cell)):
             if i == place:
                 continue
@@ -129,21 +130,18 @@ class Triangulation:
             other = self.facets.get(key)
             if other is None:
                 self.facets[key] = (c, i, turn)
-                opened.append((c, i))
+                opened.append(((c, i), key))
             elif isinstance(other, str):
                 self.reject("T2", f"cell {c}", f"{other}, {list(key)}")
             elif other[2] == turn:
                 self.reject("T2", f"cell {c}", f"on the same side of the facet {list(key)} as cell {other[0]}")
             else:
-                self.pair((c, i), other[:2])
+                self.pair((c, i), other[:2], key)
         return opened
 
-    def pair(self, one, other):
+    def pair(self, one, other, key):
         self.mates[one[0]][one[1]], self.mates[other[0]][other[1]] = other, one
-        self.close(one, "a third cell at the facet")
-
-    def close(self, facet, further):
-        self.facets[face_of(self.cells[facet[0]], 0, facet[1])[0]] = further
+        self.facets[key] = "a third cell at the facet"
 
     def vectors(self, start, ends):
         return [minus(self.at[p], start) for p in ends]
@@ -197,9 +195,10 @@ class Triangulation:
             for i, mate in enumerate(self.mates[c]):
                 if mate and mate[0] > c:
                     other, j = mate
-                    outside = self.outside_sphere(cell, self.cells[other][j])
+                    apex = self.cells[other][j]
+                    outside = self.outside_sphere(cell, apex)
                     if outside < 0:
-                        self.reject("T3", f"cell {c}", f"vertex {self.cells[other][j]} of cell {other} is in its sphere")
+                        self.reject("T3", f"cell {c}", f"point {apex} of cell {other} is inside its sphere")
                     self.cospherical[c][i] = self.cospherical[other][j] = outside == 0
         for p in set(self.points.distinct).difference(*self.cells) if self.cells else ():
             self.reject("T8", f"point {p}", "no vertex of a cell")
@@ -208,8 +207,8 @@ class Triangulation:
         """T4 to T7, of B, the unpaired facets. B is not empty: T1 and T2 alone say so.
 
         In dimension 1 the only ridge is the empty one, and has both ends of the chain."""
-        hull = [(c, *self.facet(c, i)) for c, mates in enumerate(self.mates) for i, mate in enumerate(mates) if not mate]
-        ridges, n = {}, self.dimension + 1
+        n, ridges = self.dimension + 1, {}
+        hull = [(c, *self.facet(c, i)) for c, mates in enumerate(self.mates) for i in range(n) if not mates[i]]
         for facet in hull:
             _, w, side = facet
             for i in range(len(w)):
@@ -285,8 +284,22 @@ def numbers_in(body):
         raise Undecodable("the last number is cut short")
 
 
-def glue(found, announced, numbers):
-    """Reads cells. Each but the first is glued to the open facet of an earlier one that comes last."""
+def glue(found, first, apex_behind):
+    """Enters cells, the first one and those behind open facets. The facet that was opened last is the next one.
+
+    apex_behind tells the apex behind a facet, of its opposite vertex on this side and its vertices, or None."""
+    stack = found.enter(first)
+    while stack:
+        (c, i), key = front = stack.pop()
+        if not found.mates[c][i]:
+            apex = apex_behind(found.cells[c][i], key)
+            if apex is None:
+                found.facets[key] = "a second cell at a facet that was left unpaired"
+            else:
+                stack += found.enter(*cell_behind(found.cells[c], i, apex), front)
+
+
+def decode(found, announced, numbers):
     names = set(found.points.distinct)
 
     def vertex(name):
@@ -294,24 +307,43 @@ def glue(found, announced, numbers):
             raise Undecodable(f"{name} is not the first row of a class of points")
         return name
 
+    def apex_behind(opposite, _):
+        code = next(numbers)
+        if code and len(found.cells) == announced:
+            raise Undecodable("more cells than announced")
+        step = code // 2 if code % 2 else -(code // 2)  # 0, -1, 1, -2, 2 for the codes 1, 2, 3, 4, 5
+        return vertex(opposite + step) if code else None
+
     if (found.dimension < 1) != (announced == 0):
         raise Undecodable("the dimension does not go with the number of cells")
-    stack = found.enter(tuple([vertex(next(numbers)) for _ in range(found.dimension + 1)])) if announced else []
-    while stack:
-        c, i = stack.pop()
-        if found.mates[c][i]:
-            continue
-        code = next(numbers)
-        if code == 0:
-            found.close((c, i), "a second cell at a facet that was left unpaired")
-            continue
-        if len(found.cells) == announced:
-            raise Undecodable("more cells than announced")
-        step = code // 2 * (1 if code % 2 else -1)  # 0, -1, 1, -2, 2 for the codes 1, 2, 3, 4, 5
-        cell, place = cell_behind(found.cells[c], i, vertex(found.cells[c][i] + step))
-        stack += found.enter(cell, (c, i), place)
+    if announced:
+        glue(found, tuple([vertex(next(numbers)) for _ in range(found.dimension + 1)]), apex_behind)
     if len(found.cells) < announced or next(numbers, None) is not None:
         raise Undecodable("fewer cells than announced, or more bytes than those of the cells")
+
+
+def encode(triangulation):
+    """The certificate of a triangulation. The first cell comes first."""
+    points, cells, numbers, apexes, body = triangulation.points, triangulation.cells, [], {}, bytearray()
+    for cell in cells:
+        for i, apex in enumerate(cell):
+            apexes.setdefault(face_of(cell, 0, i)[0], []).append(apex)
+
+    def apex_behind(opposite, facet):
+        apex = next((p for p in apexes[facet] if p != opposite), None)
+        numbers.append(0 if apex is None else 2 * (apex - opposite) + 1 if apex > opposite else 2 * (opposite - apex))
+        return apex
+
+    if cells:
+        numbers += cells[0]
+        glue(Triangulation(points, triangulation.dimension, ""), cells[0], apex_behind)
+    for value in numbers:
+        while value >= 128:
+            body.append(value % 128 + 128)
+            value //= 128
+        body.append(value)
+    return (f"flowcert-certificate 1\npoints {len(points.at)}\nsha256 {points.sha256}\n"
+            f"dimension {triangulation.dimension}\ncells {len(cells)}\n\n").encode() + body
 
 
 def read_certificate(path, points):
@@ -324,7 +356,7 @@ def read_certificate(path, points):
         raise Undecodable(f"{path}: not of these points: their number or their sha256 differs")
     found = Triangulation(points, int(head[3]), "certificate rejected: {}, nothing is said of the list")
     try:
-        glue(found, int(head[4]), numbers_in(memoryview(data)[head.end():]))
+        decode(found, int(head[4]), numbers_in(memoryview(data)[head.end():]))
     except (Undecodable, StopIteration) as error:
         raise Undecodable(f"{path}: cannot be decoded: {str(error) or 'it is cut short'}") from None
     found.check_dimension(found.cells[0] if found.cells else ())
@@ -333,7 +365,7 @@ def read_certificate(path, points):
 
 def read_cells(path, points):
     """Cells in a file of text. They are oriented here, and get the names of their points' classes."""
-    cells, oriented = [], []
+    cells = []
     with open(path, "rb") as lines:
         for number, line in enumerate(lines, 1):
             is_cell = re.fullmatch(rb"[0-9]{1,10}(?:[ \t]+[0-9]{1,10}){1,3}(?:\r?\n)?", line)
@@ -343,47 +375,12 @@ def read_cells(path, points):
             cells.append(tuple(points.name[row] for row in rows))
     found = Triangulation(points, len(cells[0]) - 1 if cells else len(points.at[:1]) - 1, "cells rejected: {}")
     found.check_dimension(cells[0] if cells else ())
-    for c, cell in enumerate(cells):
-        volume = found.volume_of_cell(cell)
-        if volume == 0:
-            found.reject("T1", f"cell {c}", "its volume is 0")
-        oriented.append(cell if volume > 0 else (cell[1], cell[0], *cell[2:]))
-    for cell in oriented:
-        found.enter(cell)
+    volumes = [found.volume_of_cell(cell) for cell in cells]
+    if 0 in volumes:
+        found.reject("T1", f"cell {volumes.index(0)}", "its volume is 0")
+    for cell, volume in zip(cells, volumes):
+        found.enter(cell if volume > 0 else (cell[1], cell[0], *cell[2:]))
     return found
-
-
-def encode(found):
-    """The certificate of a triangulation. The first cell comes first."""
-    numbers, placed, stack, body = [], {}, [], bytearray()
-
-    def behind(c, i):
-        """The mate of facet i of a cell as it is placed: its vertices may have another order than in found.cells."""
-        return found.mates[c][found.cells[c].index(placed[c][i])]
-
-    def place(c, cell):
-        placed[c] = cell
-        stack.extend((c, i) for i in range(len(cell)) if not behind(c, i) or behind(c, i)[0] not in placed)
-
-    if found.cells:
-        numbers += found.cells[0]
-        place(0, found.cells[0])
-    while stack:
-        c, i = stack.pop()
-        if not behind(c, i):
-            numbers.append(0)
-        elif behind(c, i)[0] not in placed:
-            other, j = behind(c, i)
-            step = found.cells[other][j] - placed[c][i]
-            numbers.append(2 * step + 1 if step >= 0 else -2 * step)
-            place(other, cell_behind(placed[c], i, found.cells[other][j])[0])
-    for value in numbers:
-        while value >= 128:
-            body.append(value % 128 + 128)
-            value //= 128
-        body.append(value)
-    return (f"flowcert-certificate 1\npoints {len(found.at)}\nsha256 {found.points.sha256}\n"
-            f"dimension {found.dimension}\ncells {len(found.cells)}\n\n").encode() + body
 
 
 # ---- Theorem 2
@@ -443,12 +440,13 @@ class StationaryPoints:
             self.on_circle.update(dict.fromkeys(facets, points))
 
     def circle(self, c, i):
-        """All points on the circle of facet i of cell c; in the plane, on that of the cell, and i is None.
+        """All points on the circle of facet i of cell c; in the plane, on the circle of the cell.
 
         It is asked where the facet's smallest sphere is empty, and the cell is not on it. Then the facet is one of the
-        hull of the cell's cluster: of cells on both sides with the same sphere, one has its apex inside the smallest."""
-        facet = None if i is None else tuple(sorted(self.t.facet(c, i)[0]))
-        return self.on_circle.get((c, i), facet) or self.on_sphere[c]
+        hull of the cell's cluster: with the same sphere on both sides, one apex would be inside the smallest one."""
+        if self.dimension == 2:
+            return self.on_sphere[c]
+        return self.on_circle.get((c, i)) or tuple(sorted(self.t.facet(c, i)[0]))
 
     def angle(self, edge, p):
         """Negative, 0 or positive where p is inside, on or outside of the smallest sphere around an edge."""
@@ -465,8 +463,7 @@ class StationaryPoints:
                 if zeros is None or min(angles, default=1) < 0:
                     link_zeros[edge] = None
                     continue
-                zeros.update({p: (c, cell.index(link[1 - k]) if self.dimension == 3 else None)
-                              for k, p in enumerate(link) if angles[k] == 0})
+                zeros.update({p: (c, cell.index(link[k - 1])) for k, p in enumerate(link) if angles[k] == 0})
                 if angles == [0, 0]:
                     cell_zeros.setdefault(edge, []).append((c, link))
         self.records += [(*self.kind_of_edge(edge, zeros, cell_zeros.get(edge, [])), edge)
@@ -489,25 +486,26 @@ class StationaryPoints:
         p, q, r = triangle
         return self.angle((p, q), r) > 0 and self.angle((q, r), p) > 0 and self.angle((r, p), q) > 0
 
+    def outside_circle(self, c, i):
+        """Positive where vertex i of cell c is outside of the smallest sphere around its facet i, 0 where it is on it.
+
+        It is outside iff it is on the same side of the facet as the centre of the cell's sphere."""
+        facet = self.t.facet(c, i)[0]
+        (toward, k), v = self.t.center(facet), minus(self.at[self.cells[c][i]], self.at[facet[0]])
+        return k * dot(v, v) - dot(toward, v)
+
     def find_triangles_and_tetrahedra(self):
-        """R2 and R3. A tetrahedron has its centre inside iff each vertex is outside of the smallest sphere around the
-        facet opposite: iff it is on the same side of the facet as the centre."""
-        is_central = [True] * len(self.cells)
-        for c in range(len(self.cells)):
-            for i, mate in enumerate(self.mates[c]):
-                if mate and mate[0] < c:
-                    continue
-                facet, both = self.t.facet(c, i)[0], [(c, i), mate] if mate else [(c, i)]
-                toward, k = self.t.center(facet)
-                v = self.t.vectors(self.at[facet[0]], [self.cells[other][j] for other, j in both])
-                outside = [k * dot(u, u) - dot(toward, u) for u in v]
-                for (other, _), how in zip(both, outside):
-                    is_central[other] = is_central[other] and how > 0
-                if min(outside) >= 0 and self.is_acute(facet):
-                    zeros = [other for (other, _), how in zip(both, outside) if how == 0]
+        """R2 and R3."""
+        outside = [[self.outside_circle(c, i) for i in range(4)] for c in range(len(self.cells))]
+        for c, mates in enumerate(self.mates):
+            for i, mate in enumerate(mates):
+                facet, sides = self.t.facet(c, i)[0], [(c, i), mate] if mate else [(c, i)]
+                if c == min(sides)[0] and min(outside[k][j] for k, j in sides) >= 0 and self.is_acute(facet):
+                    zeros = [k for k, j in sides if outside[k][j] == 0]
                     contact = self.on_sphere[zeros[0]] if zeros else self.circle(c, i)
                     self.records.append(((2, R23, 3)[len(zeros)], contact, facet))
-        self.records += [(3, self.on_sphere[c], cell) for c, cell in enumerate(self.cells) if is_central[c]]
+            if min(outside[c]) > 0:
+                self.records.append((3, self.on_sphere[c], self.cells[c]))
 
 
 # ---- Lists
@@ -515,37 +513,26 @@ class StationaryPoints:
 WHOLE, STRING = "(?:0|[1-9][0-9]*+)", r'"[^"\\\x00-\x1f]*+"'
 IDS = rf"\[(?:{WHOLE}(?:,{WHOLE})*+)?\]"
 NUMBER = rf"(?:null|-?{WHOLE}(?:\.[0-9]++)?(?:[eE][+-]?[0-9]++)?)"
-# The keys in their order, with their values' patterns; one with a question mark may lack.
+
+
+def pattern_of(shape):
+    """A line with these keys in their order, and without a blank. One with a question mark may lack."""
+    first, *others = ('"{0}":(?P<{0}>{1})'.format(key.rstrip("?"), value) for key, value in shape.items())
+    marks = ["?" * key.endswith("?") for key in shape][1:]
+    return re.compile(r"\{" + first + "".join(f"(?:,{one}){mark}" for one, mark in zip(others, marks)) + r"\}\n")
+
+
 MADE_BY = dict.fromkeys(("version", "commit", "kernel", "compiler", "cgal"), STRING)
 COUNTS = {"points": WHOLE, "merged_duplicates": WHOLE, "critical": IDS,
           "regular_stationary": rf'\{{"1-2":{WHOLE},"1-3":{WHOLE},"2-3":{WHOLE}\}}',
           "classes": rf"\[(?:{IDS}(?:,{IDS})*+)?\]"}
-HEADER = {"format": STRING, "format_version": WHOLE, **MADE_BY, "input_sha256": STRING, "left_out?": IDS, **COUNTS,
-          "centers?": '"double"|"none"', "morse_smale?": "true|false", "hull_volume?": STRING, "volumes?": STRING}
+HEADER = pattern_of({
+    "format": STRING, "format_version": WHOLE, **MADE_BY, "input_sha256": STRING, "left_out?": IDS, **COUNTS,
+    "centers?": '"double"|"none"', "morse_smale?": "true|false", "hull_volume?": STRING, "volumes?": STRING})
 SETS = {"index": f"{WHOLE}|{IDS}", "kind": STRING, "contact": IDS}
-DOUBLES = {"center_double": rf"\[{NUMBER},{NUMBER},{NUMBER}\]", "squared_distance_double": NUMBER}
 EXACT = {"center": rf"\[{STRING},{STRING},{STRING}\]", "squared_distance": STRING}
-RECORDS = {None: {**SETS, **EXACT, **DOUBLES}, '"double"': {**SETS, **DOUBLES}, '"none"': SETS}
-
-
-class Lines:
-    """The lines of a list that have the keys of a shape, in its order and without a blank."""
-
-    def __init__(self, path, shape):
-        pairs = [('"{0}":(?P<{0}>{1})'.format(key.rstrip("?"), value), key) for key, value in shape.items()]
-        others = "".join(f"(?:,{pair})" + ("?" if key.endswith("?") else "") for pair, key in pairs[1:])
-        self.path, self.pattern = path, re.compile(r"\{" + pairs[0][0] + others + r"\}\n")
-        self.known = {key.rstrip("?") for key in shape} | {"1-2", "1-3", "2-3"}
-
-    def read(self, line, number):
-        """The values by key, as they are written."""
-        text = line.decode("utf-8", errors="replace")
-        found = self.pattern.fullmatch(text)
-        if not found:
-            unknown = next((key for key in re.findall(r'"([\w-]{1,40})":', text) if key not in self.known), None)
-            raise Undecodable(f"{self.path}:{number}: " + (f'the key "{unknown}" is not proved' if unknown else
-                                                           "cannot be decoded: not as compute writes it"))
-        return {key: value for key, value in found.groupdict().items() if value is not None}
+DOUBLES = {"center_double": rf"\[{NUMBER},{NUMBER},{NUMBER}\]", "squared_distance_double": NUMBER}
+RECORDS = {None: pattern_of(SETS | EXACT | DOUBLES), '"double"': pattern_of(SETS | DOUBLES), '"none"': pattern_of(SETS)}
 
 
 def ids(values):
@@ -560,50 +547,62 @@ def nearest_double(value):
         return "null"
 
 
-def compare(number, found, expected):
-    """Texts are the same, and doubles have the same values."""
-    for key, right in expected.items():
-        text = found.get(key, right)
-        if key.endswith("_double"):
-            text = re.sub("[^][,nul]+", lambda decimal: repr(float(decimal[0]) + 0.0), text)
-        if text != right:
-            shown = [one if len(one) <= 80 else one[:77] + "..." for one in (text, right)]
-            raise Rejected(f"list refuted: line {number}: {key} is {shown[0]}, and has to be {shown[1]}")
+class List:
+    """A list in a file, beside what it has to be. Values are compared as they are written, but doubles as numbers."""
 
+    def __init__(self, path, triangulation, stationary):
+        self.path, self.t, self.points, self.stationary = path, triangulation, triangulation.points, stationary
 
-def expected_header(points, counts):
-    return {"format": '"flowcert-stationary-points"', "format_version": "1", "input_sha256": f'"{points.sha256}"',
-            "points": str(len(points.at)), "merged_duplicates": str(len(points.at) - len(points.distinct)),
-            "critical": ids(counts[:4]), "regular_stationary": '{{"1-2":{},"1-3":{},"2-3":{}}}'.format(*counts[4:]),
-            "classes": ids(map(ids, points.classes))}
+    def values(self, number, line, pattern):
+        text = line.decode("utf-8", errors="replace")
+        found = pattern.fullmatch(text)
+        if not found:
+            known = {"1-2", "1-3", "2-3", *pattern.groupindex}
+            unknown = next((key for key in re.findall(r'"([\w-]{1,40})":', text) if key not in known), None)
+            raise Undecodable(f"{self.path}:{number}: " + (f'the key "{unknown}" is not proved' if unknown else
+                                                           "cannot be decoded: not as compute writes it"))
+        return {key: value for key, value in found.groupdict().items() if value is not None}
 
+    def compare(self, number, found, expected):
+        for key, right in expected.items():
+            text = found.get(key, right)
+            if key.endswith("_double"):
+                text = re.sub("[^][,nul]+", lambda decimal: repr(float(decimal[0]) + 0.0), text)
+            if text != right:
+                shown = [one if len(one) <= 80 else one[:77] + "..." for one in (text, right)]
+                raise Rejected(f"list refuted: line {number}: {key} is {shown[0]}, and has to be {shown[1]}")
 
-def expected_record(record, triangulation):
-    kind, contact, simplex = record
-    center, squared = triangulation.exact_center(simplex)
-    return {"index": KINDS[kind], "kind": '"critical"' if kind < 4 else '"regular"', "contact": ids(contact),
-            "center": ids(f'"{x}"' for x in center), "squared_distance": f'"{squared}"',
-            "center_double": ids(map(nearest_double, center)), "squared_distance_double": nearest_double(squared)}
+    def header(self):
+        points, counts = self.points, self.stationary.counts
+        return {"format": '"flowcert-stationary-points"', "format_version": "1", "input_sha256": f'"{points.sha256}"',
+                "points": str(len(points.at)), "merged_duplicates": str(len(points.at) - len(points.distinct)),
+                "critical": ids(counts[:4]), "regular_stationary": '{{"1-2":{},"1-3":{},"2-3":{}}}'.format(*counts[4:]),
+                "classes": ids(map(ids, points.classes))}
 
+    def record(self, kind, contact, simplex):
+        center, squared = self.t.exact_center(simplex)
+        return {"index": KINDS[kind], "kind": '"critical"' if kind < 4 else '"regular"', "contact": ids(contact),
+                "center": ids(f'"{x}"' for x in center), "squared_distance": f'"{squared}"',
+                "center_double": ids(map(nearest_double, center)), "squared_distance_double": nearest_double(squared)}
 
-def check_list(path, triangulation, stationary):
-    """Reads a list line by line, and tells in sentences what is proved of it."""
-    header, records = expected_header(triangulation.points, stationary.counts), iter(stationary.records)
-    with open(path, "rb") as file:
-        head = Lines(path, HEADER).read(file.readline(), 1)
-        compare(1, head, header)
-        shape, number = RECORDS[head.get("centers")], 1
-        lines = Lines(path, shape)
-        for number, line in enumerate(file, 2):
-            found, record = lines.read(line, number), next(records, None)
-            if not record:
-                raise Rejected(f"list refuted: line {number}: a record more than there are stationary points")
-            compare(number, found, expected_record(record, triangulation))
-    for _, contact, _ in records:
-        raise Rejected(f"list refuted: line {number + 1}: not there, and has to have the contact {ids(contact)[:80]}")
-    return [f"proved, line by line of {path}: {', '.join(shape)}",
-            f"proved, header of {path}: {', '.join([*COUNTS, 'input_sha256'])}",
-            f"not compared, header of {path}: {', '.join(key for key in head if key not in header | {'centers': 0})}"]
+    def prove(self):
+        """Reads the list line by line, and tells in sentences what is proved of it."""
+        number, records = 1, iter(self.stationary.records)
+        with open(self.path, "rb") as lines:
+            head = self.values(1, next(lines, b""), HEADER)
+            self.compare(1, head, self.header())
+            pattern = RECORDS[head.get("centers")]
+            for number, line in enumerate(lines, 2):
+                found, record = self.values(number, line, pattern), next(records, None)
+                if not record:
+                    raise Rejected(f"list refuted: line {number}: a record more than there are stationary points")
+                self.compare(number, found, self.record(*record))
+        for _, contact, _ in records:
+            raise Rejected(f"list refuted: line {number + 1}: missing, with the contact {ids(contact)[:80]}")
+        others = [key for key in head if key not in {*self.header(), "centers"}]
+        return [f"proved, line by line of {self.path}: {', '.join(pattern.groupindex)}",
+                f"proved, header of {self.path}: {', '.join([*COUNTS, 'input_sha256'])}",
+                f"not compared, header of {self.path}: {', '.join(others)}"]
 
 
 # ---- The program
@@ -627,7 +626,7 @@ def prove(options):
     return [f"proved: these {len(triangulation.cells)} cells are a Delaunay triangulation of {len(points.at)} points "
             f"({len(points.distinct)} different ones)",
             f"proved: all {len(stationary.records)} stationary points: {counts}",
-            *(check_list(options.list, triangulation, stationary) if options.list else []), *last]
+            *(List(options.list, triangulation, stationary).prove() if options.list else []), *last]
 
 
 def main():
@@ -647,13 +646,9 @@ def main():
     except Rejected as error:
         print(error, flush=True)
         return 1
-    except Undecodable as error:
-        print(error, file=sys.stderr)
-    except OSError as error:
-        print(f"{error.filename or 'standard output'}: {error.strerror}", file=sys.stderr)
-    except MemoryError:
-        print("there is not enough memory", file=sys.stderr)
-    return 2
+    except (Undecodable, OSError, MemoryError) as error:
+        print(str(error) or "there is not enough memory", file=sys.stderr)
+        return 2
 
 
 if __name__ == "__main__":
