@@ -55,18 +55,16 @@ ROW = re.compile(rb"(%b)[ \t]+(%b)[ \t]+(%b)(?:\r?\n)?" % (DECIMAL, DECIMAL, DEC
 
 def rows_in(path):
     """The rows of a file of points; an empty one for what is no row."""
-    if path.endswith(".xyz"):
-        with open(path, "rb") as lines:
-            for line in lines:
+    with open(path, "rb") as file:
+        if path.endswith(".xyz"):
+            for line in file:
                 found = ROW.fullmatch(line)
                 yield tuple(map(float, found.groups())) if found else ()
-    elif path.endswith(".f64"):
-        data = Path(path).read_bytes()
-        whole = len(data) // 24 * 24
-        yield from struct.iter_unpack("<3d", data[:whole])
-        yield from [()] * (len(data) > whole)
-    else:
-        raise Undecodable(f"{path}: neither .xyz nor .f64")
+        elif path.endswith(".f64"):
+            while row := file.read(24):
+                yield struct.unpack("<3d", row) if len(row) == 24 else ()
+        else:
+            raise Undecodable(f"{path}: neither .xyz nor .f64")
 
 
 class Points:
@@ -146,15 +144,18 @@ class Triangulation:
     def vectors(self, start, ends):
         return [minus(self.at[p], start) for p in ends]
 
-    def check_dimension(self, first):
+    def edges(self, simplex):
+        """From its first vertex to the others."""
+        return self.vectors(self.at[simplex[0]], simplex[1:])
+
+    def check_dimension(self, cells):
         """T0. In dimension 1 and 2 it finds the axis that tells volumes, one along which the first cell is not flat."""
         distinct, d, self.axis, self.turn = self.points.distinct, self.dimension, None, 1
         if min(len(distinct) - 1, 1) != min(d, 1):
             self.reject("T0", f"dimension {d}", f"there are {len(distinct)} different points")
         if d not in (1, 2):
             return
-        origin = self.at[first[0]]
-        edges = self.vectors(origin, first[1:])
+        origin, edges = self.at[cells[0][0]], self.edges(cells[0])
         normal = cross(*edges) if d == 2 else edges[0]
         self.axis = next((k for k in range(3) if normal[k]), None)
         if self.axis is None:
@@ -169,9 +170,6 @@ class Triangulation:
         if self.dimension == 3:
             return dot(v[0], cross(v[1], v[2]))
         return self.turn * (cross(*v) if self.dimension == 2 else v[0])[self.axis]
-
-    def volume_of_cell(self, cell):
-        return self.volume(self.vectors(self.at[cell[0]], cell[1:]))
 
     def facet(self, c, i):
         """The vertices w of facet i of cell c, and the sign that volume(w - x) has for x on the cell's side."""
@@ -188,7 +186,7 @@ class Triangulation:
     def check_cells(self):
         """T1, T3 and T8. cospherical[c][i]: facet i of cell c is paired, and the cell behind it has the same sphere."""
         for c, cell in enumerate(self.cells):
-            if self.volume_of_cell(cell) <= 0:
+            if self.volume(self.edges(cell)) <= 0:
                 self.reject("T1", f"cell {c}", "its volume is not positive")
         self.cospherical = [[False] * len(cell) for cell in self.cells]
         for c, cell in enumerate(self.cells):
@@ -200,7 +198,7 @@ class Triangulation:
                     if outside < 0:
                         self.reject("T3", f"cell {c}", f"point {apex} of cell {other} is inside its sphere")
                     self.cospherical[c][i] = self.cospherical[other][j] = outside == 0
-        for p in set(self.points.distinct).difference(*self.cells) if self.cells else ():
+        for p in sorted(set(self.points.distinct).difference(*self.cells)):
             self.reject("T8", f"point {p}", "no vertex of a cell")
 
     def check_hull(self):
@@ -236,19 +234,12 @@ class Triangulation:
 
     def center(self, simplex):
         """The centre of the smallest sphere through 1 to 4 points: a vector from the first one, times 2k, and k."""
-        v = self.vectors(self.at[simplex[0]], simplex[1:])
+        v = self.edges(simplex)
         if len(v) < 2:
             return v[0] if v else (0, 0, 0), 1
         a, b, c = v if len(v) == 3 else (*v, cross(*v))
         lifts = [dot(u, u) for u in v]
         return weighed_sum(lifts, (cross(b, c), cross(c, a), cross(a, b))), dot(cross(a, b), c)  # of a triangle k > 0
-
-    def exact_center(self, simplex):
-        """The centre and the squared radius, as fractions."""
-        toward, k = self.center(simplex)
-        scale = 2 * k << self.points.shift
-        position = [Fraction(2 * k * x + y, scale) for x, y in zip(self.at[simplex[0]], toward)]
-        return position, Fraction(dot(toward, toward), scale * scale)
 
 
 # ---- Certificates
@@ -256,17 +247,6 @@ class Triangulation:
 COUNT = b"(0|[1-9][0-9]{0,17})"
 HEAD = re.compile(b"flowcert-certificate 1\npoints %b\n(?:sha256 ([0-9a-f]{64})\n)?dimension (-1|[0-3])\ncells %b\n\n"
                   % (COUNT, COUNT))
-
-
-def cell_behind(cell, i, apex):
-    """The cell of facet i and an apex on its other side, and the place of the apex in it.
-
-    Two other vertices are swapped, so that it induces the opposite orientation on the facet."""
-    vertices = list(cell)
-    vertices[i] = apex
-    a, b = [j for j in range(len(cell)) if j != i or len(cell) == 2][:2]
-    vertices[a], vertices[b] = vertices[b], vertices[a]
-    return tuple(vertices), 1 - i if len(cell) == 2 else i
 
 
 def numbers_in(body):
@@ -285,22 +265,35 @@ def numbers_in(body):
 
 
 def glue(found, first, apex_behind):
-    """Enters cells, the first one and those behind open facets. The facet that was opened last is the next one.
+    """Enters cells: the first one, and then those behind open facets. The facet that was opened last is the next one.
 
-    apex_behind tells the apex behind a facet, of its opposite vertex on this side and its vertices, or None."""
+    apex_behind tells the vertex that replaces one, where the facet opposite has these vertices; None: no cell is there.
+    Two others are swapped, so that the new cell induces the opposite orientation on the facet."""
     stack = found.enter(first)
     while stack:
         (c, i), key = front = stack.pop()
-        if not found.mates[c][i]:
-            apex = apex_behind(found.cells[c][i], key)
-            if apex is None:
-                found.facets[key] = "a second cell at a facet that was left unpaired"
-            else:
-                stack += found.enter(*cell_behind(found.cells[c], i, apex), front)
+        if found.mates[c][i]:
+            continue
+        cell = list(found.cells[c])
+        cell[i] = apex_behind(cell[i], key)
+        if cell[i] is None:
+            found.facets[key] = "a second cell at a facet that was left unpaired"
+            continue
+        j, k = (0, 1) if len(cell) == 2 else [place for place in range(len(cell)) if place != i][:2]
+        cell[j], cell[k] = cell[k], cell[j]
+        stack += found.enter(tuple(cell), 1 - i if len(cell) == 2 else i, front)
 
 
-def decode(found, announced, numbers):
-    names = set(found.points.distinct)
+def read_certificate(path, points):
+    """The cells of a certificate, and its hash of the points or None."""
+    data = Path(path).read_bytes()
+    head = HEAD.match(data)
+    if not head or (int(head[3]) < 1) != (int(head[4]) == 0):
+        raise Undecodable(f"{path}: cannot be decoded: no header of version 1")
+    if int(head[1]) != len(points.at) or head[2] and head[2].decode() != points.sha256:
+        raise Undecodable(f"{path}: not of these points: their number or their sha256 differs")
+    found = Triangulation(points, int(head[3]), "certificate rejected: {}, nothing is said of the list")
+    announced, numbers, names = int(head[4]), numbers_in(memoryview(data)[head.end():]), set(points.distinct)
 
     def vertex(name):
         if name not in names:
@@ -314,12 +307,35 @@ def decode(found, announced, numbers):
         step = code // 2 if code % 2 else -(code // 2)  # 0, -1, 1, -2, 2 for the codes 1, 2, 3, 4, 5
         return vertex(opposite + step) if code else None
 
-    if (found.dimension < 1) != (announced == 0):
-        raise Undecodable("the dimension does not go with the number of cells")
-    if announced:
-        glue(found, tuple([vertex(next(numbers)) for _ in range(found.dimension + 1)]), apex_behind)
-    if len(found.cells) < announced or next(numbers, None) is not None:
-        raise Undecodable("fewer cells than announced, or more bytes than those of the cells")
+    try:
+        if announced:
+            glue(found, tuple([vertex(next(numbers)) for _ in range(found.dimension + 1)]), apex_behind)
+        if len(found.cells) < announced or next(numbers, None) is not None:
+            raise Undecodable("fewer cells than announced, or more bytes than those of the cells")
+    except (Undecodable, StopIteration) as error:
+        raise Undecodable(f"{path}: cannot be decoded: {str(error) or 'it is cut short'}") from None
+    found.check_dimension(found.cells)
+    return found, head[2]
+
+
+def read_cells(path, points):
+    """Cells in a file of text. They are oriented here, and get the names of their points' classes."""
+    cells = []
+    with open(path, "rb") as lines:
+        for number, line in enumerate(lines, 1):
+            is_cell = re.fullmatch(rb"[0-9]{1,10}(?:[ \t]+[0-9]{1,10}){1,3}(?:\r?\n)?", line)
+            rows = tuple(map(int, line.split())) if is_cell else ()
+            if not rows or max(rows) >= len(points.at) or cells and len(rows) != len(cells[0]):
+                raise Undecodable(f"{path}:{number}: not rows of points, two to four and as many as in the first line")
+            cells.append(tuple(points.name[row] for row in rows))
+    found = Triangulation(points, len(cells[0]) - 1 if cells else len(points.at[:1]) - 1, "cells rejected: {}")
+    found.check_dimension(cells)
+    volumes = [found.volume(found.edges(cell)) for cell in cells]
+    if 0 in volumes:
+        found.reject("T1", f"cell {volumes.index(0)}", "its volume is 0")
+    for cell, volume in zip(cells, volumes):
+        found.enter(cell if volume > 0 else (cell[1], cell[0], *cell[2:]))
+    return found
 
 
 def encode(triangulation):
@@ -346,43 +362,6 @@ def encode(triangulation):
             f"dimension {triangulation.dimension}\ncells {len(cells)}\n\n").encode() + body
 
 
-def read_certificate(path, points):
-    """The cells of a certificate, and its hash of the points or None."""
-    data = Path(path).read_bytes()
-    head = HEAD.match(data)
-    if not head:
-        raise Undecodable(f"{path}: cannot be decoded: no header of version 1")
-    if int(head[1]) != len(points.at) or head[2] and head[2].decode() != points.sha256:
-        raise Undecodable(f"{path}: not of these points: their number or their sha256 differs")
-    found = Triangulation(points, int(head[3]), "certificate rejected: {}, nothing is said of the list")
-    try:
-        decode(found, int(head[4]), numbers_in(memoryview(data)[head.end():]))
-    except (Undecodable, StopIteration) as error:
-        raise Undecodable(f"{path}: cannot be decoded: {str(error) or 'it is cut short'}") from None
-    found.check_dimension(found.cells[0] if found.cells else ())
-    return found, head[2]
-
-
-def read_cells(path, points):
-    """Cells in a file of text. They are oriented here, and get the names of their points' classes."""
-    cells = []
-    with open(path, "rb") as lines:
-        for number, line in enumerate(lines, 1):
-            is_cell = re.fullmatch(rb"[0-9]{1,10}(?:[ \t]+[0-9]{1,10}){1,3}(?:\r?\n)?", line)
-            rows = tuple(map(int, line.split())) if is_cell else ()
-            if not rows or max(rows) >= len(points.at) or cells and len(rows) != len(cells[0]):
-                raise Undecodable(f"{path}:{number}: not rows of points, two to four and as many as in the first line")
-            cells.append(tuple(points.name[row] for row in rows))
-    found = Triangulation(points, len(cells[0]) - 1 if cells else len(points.at[:1]) - 1, "cells rejected: {}")
-    found.check_dimension(cells[0] if cells else ())
-    volumes = [found.volume_of_cell(cell) for cell in cells]
-    if 0 in volumes:
-        found.reject("T1", f"cell {volumes.index(0)}", "its volume is 0")
-    for cell, volume in zip(cells, volumes):
-        found.enter(cell if volume > 0 else (cell[1], cell[0], *cell[2:]))
-    return found
-
-
 # ---- Theorem 2
 
 KINDS = ["0", "1", "2", "3", "[1,2]", "[1,3]", "[2,3]"]  # as a list has them, in the order of FC-OUT-02
@@ -401,11 +380,7 @@ class StationaryPoints:
         self.on_sphere, self.on_circle = [None] * len(self.cells), {}
         self.find_clusters()
         self.records = [(0, (p,), (p,)) for p in triangulation.points.distinct]
-        self.find_edges()
-        if self.dimension == 2:
-            self.records += [(2, self.on_sphere[c], cell) for c, cell in enumerate(self.cells) if self.is_acute(cell)]
-        if self.dimension == 3:
-            self.find_triangles_and_tetrahedra()
+        self.find_simplices()
         self.records.sort()
         kinds = [kind for kind, _, _ in self.records]
         self.counts = [kinds.count(kind) for kind in range(len(KINDS))]
@@ -432,7 +407,7 @@ class StationaryPoints:
             for i, is_same in enumerate(self.t.cospherical[c]):
                 if not is_same:
                     facet, side = self.t.facet(c, i)
-                    normal = cross(*self.t.vectors(self.at[facet[0]], facet[1:]))
+                    normal = cross(*self.t.edges(facet))
                     outward = tuple(side * x // math.gcd(*normal) for x in normal)
                     sides.setdefault(outward, []).append((c, i))
         for facets in sides.values():
@@ -440,72 +415,51 @@ class StationaryPoints:
             self.on_circle.update(dict.fromkeys(facets, points))
 
     def circle(self, c, i):
-        """All points on the circle of facet i of cell c; in the plane, on the circle of the cell.
+        """All points on the circle of facet i of cell c, where its smallest sphere is empty, and the cell is not on it.
 
-        It is asked where the facet's smallest sphere is empty, and the cell is not on it. Then the facet is one of the
-        hull of the cell's cluster: with the same sphere on both sides, one apex would be inside the smallest one."""
-        if self.dimension == 2:
-            return self.on_sphere[c]
+        Then it is a facet of the cluster's hull: a cell behind it with the same sphere would have its apex inside the
+        smallest one."""
         return self.on_circle.get((c, i)) or tuple(sorted(self.t.facet(c, i)[0]))
 
-    def angle(self, edge, p):
-        """Negative, 0 or positive where p is inside, on or outside of the smallest sphere around an edge."""
-        return dot(minus(self.at[edge[0]], self.at[p]), minus(self.at[edge[1]], self.at[p]))
-
-    def find_edges(self):
-        """R1. By edge: the link vertices on its smallest sphere, each with a facet, or None if one is inside; and the
-        cells with all vertices on it."""
-        link_zeros, cell_zeros = {}, {}
-        for c, cell in enumerate(self.cells):
-            for edge in combinations(sorted(cell), 2):
-                link = [p for p in cell if p not in edge]
-                angles, zeros = [self.angle(edge, p) for p in link], link_zeros.setdefault(edge, {})
-                if zeros is None or min(angles, default=1) < 0:
-                    link_zeros[edge] = None
-                    continue
-                zeros.update({p: (c, cell.index(link[k - 1])) for k, p in enumerate(link) if angles[k] == 0})
-                if angles == [0, 0]:
-                    cell_zeros.setdefault(edge, []).append((c, link))
-        self.records += [(*self.kind_of_edge(edge, zeros, cell_zeros.get(edge, [])), edge)
-                         for edge, zeros in link_zeros.items() if zeros is not None]
-
-    def kind_of_edge(self, edge, zeros, cells):
-        """Its kind and contact set: the a of Theorem 2 is len(zeros), and b is len(cells)."""
-        if not zeros:
-            return 1, edge
-        if not cells:
-            return R12 if len(zeros) == 1 else 2, self.circle(*next(iter(zeros.values())))
-        kind = 3
-        if len(zeros) != len(cells):
-            link = [p for _, two in cells for p in two]
-            a, b, c = self.t.vectors(self.at[edge[0]], [edge[1], *(p for p in link if link.count(p) == 1)])
-            kind = R23 if dot(a, cross(b, c)) == 0 else R13
-        return kind, self.on_sphere[cells[0][0]]
-
-    def is_acute(self, triangle):
-        p, q, r = triangle
-        return self.angle((p, q), r) > 0 and self.angle((q, r), p) > 0 and self.angle((r, p), q) > 0
-
-    def outside_circle(self, c, i):
-        """Positive where vertex i of cell c is outside of the smallest sphere around its facet i, 0 where it is on it.
-
-        It is outside iff it is on the same side of the facet as the centre of the cell's sphere."""
-        facet = self.t.facet(c, i)[0]
-        (toward, k), v = self.t.center(facet), minus(self.at[self.cells[c][i]], self.at[facet[0]])
+    def outside(self, simplex, p):
+        """Positive where a point is outside of the smallest sphere around 2 or 3 points, 0 where it is on it."""
+        (toward, k), v = self.t.center(simplex), minus(self.at[p], self.at[simplex[0]])
         return k * dot(v, v) - dot(toward, v)
 
-    def find_triangles_and_tetrahedra(self):
-        """R2 and R3."""
-        outside = [[self.outside_circle(c, i) for i in range(4)] for c in range(len(self.cells))]
-        for c, mates in enumerate(self.mates):
-            for i, mate in enumerate(mates):
-                facet, sides = self.t.facet(c, i)[0], [(c, i), mate] if mate else [(c, i)]
-                if c == min(sides)[0] and min(outside[k][j] for k, j in sides) >= 0 and self.is_acute(facet):
-                    zeros = [k for k, j in sides if outside[k][j] == 0]
-                    contact = self.on_sphere[zeros[0]] if zeros else self.circle(c, i)
-                    self.records.append(((2, R23, 3)[len(zeros)], contact, facet))
-            if min(outside[c]) > 0:
-                self.records.append((3, self.on_sphere[c], self.cells[c]))
+    def find_simplices(self):
+        """R1 to R3. A simplex has its centre inside iff each vertex is outside of the smallest sphere of the others:
+        then it is on the same side of them as the centre. An edge always has."""
+        stars = {}  # by simplex: link vertices on its smallest sphere, cells with all of theirs there, a facet; or None
+        for c, cell in enumerate(self.cells):
+            faces = [s for size in range(2, self.dimension + 2) for s in combinations(sorted(cell), size)]
+            outside = {s: {p: self.outside(s, p) for p in cell if p not in s} for s in faces}
+            for s in faces:
+                if len(s) > 2 and any(outside[s[:i] + s[i + 1:]][p] <= 0 for i, p in enumerate(s)):
+                    continue
+                if min(outside[s].values(), default=0) < 0:
+                    stars[s] = None
+                star = stars.setdefault(s, [set(), [], None])
+                if star:
+                    zeros = [p for p, how in outside[s].items() if how == 0]
+                    others = [p for p, how in outside[s].items() if how > 0]
+                    star[0].update(zeros)
+                    if not others:
+                        star[1].append((c, zeros))
+                    elif self.dimension == 3 and len(others) == 1:
+                        star[2] = (c, cell.index(others[0]))
+        self.records += [(*self.kind_of(s, *star), s) for s, star in stars.items() if star]
+
+    def kind_of(self, simplex, zeros, cells, facet):
+        """The kind and the contact set of a simplex that is stationary. In dimension 3, a of R1 is len(zeros), and b is
+        len(cells). Here the simplex itself may be the cell that has all its vertices on the sphere."""
+        contact = self.on_sphere[cells[0][0]] if cells else self.circle(*facet) if facet else simplex
+        if self.dimension < 3 or len(simplex) > 2 or not cells:
+            return ((1, R12, 2), (2, R23, 3), (3,))[len(simplex) - 2][len(zeros)], contact
+        if len(zeros) == len(cells):
+            return 3, contact
+        link = [p for _, two in cells for p in two]
+        a, b, c = self.t.edges([*simplex, *(p for p in link if link.count(p) == 1)])
+        return R23 if dot(a, cross(b, c)) == 0 else R13, contact
 
 
 # ---- Lists
@@ -569,8 +523,7 @@ class List:
             if key.endswith("_double"):
                 text = re.sub("[^][,nul]+", lambda decimal: repr(float(decimal[0]) + 0.0), text)
             if text != right:
-                shown = [one if len(one) <= 80 else one[:77] + "..." for one in (text, right)]
-                raise Rejected(f"list refuted: line {number}: {key} is {shown[0]}, and has to be {shown[1]}")
+                raise Rejected(f"list refuted: line {number}: {key} is {text:.80}, and has to be {right:.80}")
 
     def header(self):
         points, counts = self.points, self.stationary.counts
@@ -580,7 +533,10 @@ class List:
                 "classes": ids(map(ids, points.classes))}
 
     def record(self, kind, contact, simplex):
-        center, squared = self.t.exact_center(simplex)
+        toward, k = self.t.center(simplex)
+        scale = 2 * k << self.points.shift
+        center = [Fraction(2 * k * x + y, scale) for x, y in zip(self.points.at[simplex[0]], toward)]
+        squared = Fraction(dot(toward, toward), scale * scale)
         return {"index": KINDS[kind], "kind": '"critical"' if kind < 4 else '"regular"', "contact": ids(contact),
                 "center": ids(f'"{x}"' for x in center), "squared_distance": f'"{squared}"',
                 "center_double": ids(map(nearest_double, center)), "squared_distance_double": nearest_double(squared)}
@@ -616,8 +572,8 @@ def prove(options):
     else:
         triangulation, digest = read_certificate(options.certificate, points)
         last = ["hash of the points: compared" if digest else "no hash of the points"]
-    triangulation.check_cells()
     if triangulation.cells:
+        triangulation.check_cells()
         triangulation.check_hull()
     if options.from_cells:
         Path(options.from_cells).write_bytes(encode(triangulation))
