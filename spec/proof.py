@@ -4,12 +4,10 @@
     proof.py SCAN CERTIFICATE [LIST]                       LIST: as `flowcert compute SCAN -o LIST` writes it
     proof.py SCAN --cells FILE [--from-cells CERTIFICATE]  FILE: d+1 rows of SCAN a line, in any order
 
-SCAN is a file .xyz, three decimals a row, or .f64, raw doubles. A certificate (.fcert) is a triangulation, and nobody
-has to trust who made it: the conditions T0 to T8 of Theorem 1 say whether it is Delaunay. By Theorem 2 it has all
-stationary points, and tells their kinds and contact sets; the list has to be the same, line by line.
---cells asks the same of a plain list of cells, and --from-cells writes the certificate of a right one.
-
-Only integers decide: coordinates are integers times one power of two. No package is needed.
+SCAN is .xyz, three decimals a row, or .f64, raw doubles. A certificate (.fcert) has cells, and who made it does not
+matter: the conditions T0 to T8 of Theorem 1 say whether they are a Delaunay triangulation. It has all stationary points
+by Theorem 2, and tells their kinds and contact sets; the list has to be the same, line by line. --cells asks the same
+of a plain list of cells. Only integers decide: coordinates are integers times one power of two.
 Exit status: 0 if all of it is proved, 1 if a condition fails or the list differs, 2 for what cannot be decoded.
 """
 import argparse, hashlib, math, re, struct, sys
@@ -91,9 +89,8 @@ class Points:
 
 
 def face_of(simplex, turn, i):
-    """Face i of an oriented simplex, the one without vertex i: its vertices sorted, and the orientation induced on it.
-
-    An orientation is 0 or 1: whether the vertices have to be permuted oddly."""
+    """The face without vertex i of an oriented simplex: its vertices sorted, and the orientation induced on it, 0 or 1.
+    It is 1 where the vertices have to be permuted oddly."""
     rest = simplex[:i] + simplex[i + 1:]
     return tuple(sorted(rest)), (turn + i + sum(a > b for a, b in combinations(rest, 2))) % 2
 
@@ -121,9 +118,7 @@ class Triangulation:
         self.mates.append([None] * len(cell))
         if front:
             self.pair((c, place), *front)
-        for i in range(len(cell)):
-            if i == place:
-                continue
+        for i in [k for k in range(len(cell)) if k != place]:
             key, turn = face_of(cell, 0, i)
             other = self.facets.get(key)
             if other is None:
@@ -178,8 +173,8 @@ class Triangulation:
     def outside_sphere(self, cell, p):
         """Positive where a point is outside of the sphere of a cell of positive volume, 0 where it is on it.
 
-        This is the volume of the cell lifted to the paraboloid around the point. The sign is right at the centre, where
-        all lifts are equal, and the sum is less than 0: one of them times the volume of the cell, negated."""
+        This is the volume of the cell lifted to the paraboloid around the point, negated. The sign is right at the
+        centre: all lifts are equal there, and the sum is one of them times the volume of the cell, negated."""
         v = self.vectors(self.at[p], cell)
         return sum((1 if i % 2 else -1) * dot(u, u) * self.volume(v[:i] + v[i + 1:]) for i, u in enumerate(v))
 
@@ -190,14 +185,12 @@ class Triangulation:
                 self.reject("T1", f"cell {c}", "its volume is not positive")
         self.cospherical = [[False] * len(cell) for cell in self.cells]
         for c, cell in enumerate(self.cells):
-            for i, mate in enumerate(self.mates[c]):
-                if mate and mate[0] > c:
-                    other, j = mate
-                    apex = self.cells[other][j]
-                    outside = self.outside_sphere(cell, apex)
-                    if outside < 0:
-                        self.reject("T3", f"cell {c}", f"point {apex} of cell {other} is inside its sphere")
-                    self.cospherical[c][i] = self.cospherical[other][j] = outside == 0
+            for i, (other, j) in [(i, mate) for i, mate in enumerate(self.mates[c]) if mate and mate[0] > c]:
+                apex = self.cells[other][j]
+                outside = self.outside_sphere(cell, apex)
+                if outside < 0:
+                    self.reject("T3", f"cell {c}", f"point {apex} of cell {other} is inside its sphere")
+                self.cospherical[c][i] = self.cospherical[other][j] = outside == 0
         for p in sorted(set(self.points.distinct).difference(*self.cells)):
             self.reject("T8", f"point {p}", "no vertex of a cell")
 
@@ -207,14 +200,13 @@ class Triangulation:
         In dimension 1 the only ridge is the empty one, and has both ends of the chain."""
         n, ridges = self.dimension + 1, {}
         hull = [(c, *self.facet(c, i)) for c, mates in enumerate(self.mates) for i in range(n) if not mates[i]]
-        for facet in hull:
-            _, w, side = facet
+        for c, w, side in hull:
             for i in range(len(w)):
                 ridge, turn = face_of(w, side < 0, i)
-                ridges.setdefault(ridge, []).append((turn, w[i], facet))
+                ridges.setdefault(ridge, []).append((turn, w[i], c, w, side))
         for ridge, sides in ridges.items():
             if len(sides) != 2 or sides[0][0] == sides[1][0]:
-                self.reject("T4", f"cell {sides[0][2][0]}", f"{len(sides)} facets of the hull at {list(ridge)}")
+                self.reject("T4", f"cell {sides[0][2]}", f"{len(sides)} facets of the hull at {list(ridge)}")
 
         middle = weighed_sum([1] * n, [self.at[p] for p in self.cells[0]])  # o, times n; so are vectors from o
         seen = {p: weighed_sum((n, -1), (self.at[p], middle)) for _, w, _ in hull for p in w}
@@ -222,7 +214,7 @@ class Triangulation:
             if side * self.volume([seen[p] for p in w]) <= 0:
                 self.reject("T5", f"cell {c}", f"the middle of cell 0 is not on the inner side of its facet {list(w)}")
 
-        for (_, _, (c, w, side)), (_, opposite, _) in ridges.values():
+        for (_, _, c, w, side), (_, opposite, *_) in ridges.values():
             if side * self.volume(self.vectors(self.at[opposite], w)) < 0:
                 self.reject("T6", f"cell {c}", f"point {opposite} of the hull is outside of its facet {list(w)}")
 
@@ -371,8 +363,8 @@ R12, R13, R23 = 4, 5, 6  # the places of kinds of regular points
 class StationaryPoints:
     """All stationary points of a Delaunay triangulation: (place in KINDS, contact set, simplex with that centre).
 
-    Cells with the same sphere are connected, and tile the hull of all points on it: a cluster. The circle of a facet of
-    this hull has the points of all cells' facets with its outward normal."""
+    Cells with the same sphere, a cluster, are connected, and tile the hull of all points on it. All facets of cells
+    with the same outward normal tile a facet of this hull."""
 
     def __init__(self, triangulation):
         self.t, self.at, self.dimension = triangulation, triangulation.at, triangulation.dimension
@@ -386,8 +378,7 @@ class StationaryPoints:
         self.counts = [kinds.count(kind) for kind in range(len(KINDS))]
 
     def find_clusters(self):
-        """on_sphere[c]: all points on the sphere of cell c. on_circle[c, i]: those on the circle of its facet i, if it
-        is one of the hull of a cluster of several cells."""
+        """on_sphere[c]: all points on the sphere of cell c. on_circle: in clusters of several cells, see circle."""
         for c in range(len(self.cells)):
             cluster = [] if self.on_sphere[c] else [c]
             for k in cluster:  # it grows meanwhile
@@ -405,11 +396,10 @@ class StationaryPoints:
         sides = {}
         for c in cluster:
             for i, is_same in enumerate(self.t.cospherical[c]):
+                facet, side = self.t.facet(c, i)
                 if not is_same:
-                    facet, side = self.t.facet(c, i)
                     normal = cross(*self.t.edges(facet))
-                    outward = tuple(side * x // math.gcd(*normal) for x in normal)
-                    sides.setdefault(outward, []).append((c, i))
+                    sides.setdefault(tuple(side * x // math.gcd(*normal) for x in normal), []).append((c, i))
         for facets in sides.values():
             points = tuple(sorted({p for c, i in facets for p in self.t.facet(c, i)[0]}))
             self.on_circle.update(dict.fromkeys(facets, points))
@@ -417,8 +407,7 @@ class StationaryPoints:
     def circle(self, c, i):
         """All points on the circle of facet i of cell c, where its smallest sphere is empty, and the cell is not on it.
 
-        Then it is a facet of the cluster's hull: a cell behind it with the same sphere would have its apex inside the
-        smallest one."""
+        Then it is on the hull of the cluster: a cell of the cluster behind it would have its apex in the sphere."""
         return self.on_circle.get((c, i)) or tuple(sorted(self.t.facet(c, i)[0]))
 
     def outside(self, simplex, p):
@@ -511,9 +500,8 @@ class List:
         text = line.decode("utf-8", errors="replace")
         found = pattern.fullmatch(text)
         if not found:
-            known = {"1-2", "1-3", "2-3", *pattern.groupindex}
-            unknown = next((key for key in re.findall(r'"([\w-]{1,40})":', text) if key not in known), None)
-            raise Undecodable(f"{self.path}:{number}: " + (f'the key "{unknown}" is not proved' if unknown else
+            unknown = [key for key in re.findall(r'"(\w{1,40})":', text) if key not in pattern.groupindex]
+            raise Undecodable(f"{self.path}:{number}: " + (f'the key "{unknown[0]}" is not proved' if unknown else
                                                            "cannot be decoded: not as compute writes it"))
         return {key: value for key, value in found.groupdict().items() if value is not None}
 
