@@ -434,7 +434,7 @@ class StationaryPoints:
                     star[0].update(zeros)
                     if not others:
                         star[1].append((c, zeros))
-                    elif self.dimension == 3 and len(others) == 1:
+                    elif len(others) == 1:
                         star[2] = (c, cell.index(others[0]))
         self.records += [(*self.kind_of(s, *star), s) for s, star in stars.items() if star]
 

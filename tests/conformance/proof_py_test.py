@@ -38,7 +38,7 @@ AROUND = [(1, 2, 3, 4), (0, 2, 3, 4), (0, 1, 3, 4), (0, 1, 2, 4)]
 
 
 def text_of(points):
-    return "".join("{} {} {}\n".format(*point) for point in points).encode()
+    return "".join("{!r} {!r} {!r}\n".format(*map(float, point)) for point in points).encode()
 
 
 def rows(cells):
@@ -46,7 +46,8 @@ def rows(cells):
 
 
 def digest(points):
-    return hashlib.sha256(b"".join(struct.pack("<3d", *(float(x) + 0.0 for x in point)) for point in points)).hexdigest()
+    data = b"".join(struct.pack("<3d", *(float(x) + 0.0 for x in point)) for point in points)
+    return hashlib.sha256(data).hexdigest()
 
 
 def certificate(points, dimension, count, numbers, sha256=None):
@@ -57,8 +58,8 @@ def certificate(points, dimension, count, numbers, sha256=None):
             number //= 128
         body.append(number)
     hashed = f"sha256 {sha256}\n" if sha256 else ""
-    return (f"flowcert-certificate 1\npoints {len(points)}\n{hashed}dimension {dimension}\ncells {count}\n\n").encode() \
-        + bytes(body)
+    head = f"flowcert-certificate 1\npoints {len(points)}\n{hashed}dimension {dimension}\ncells {count}\n\n"
+    return head.encode() + bytes(body)
 
 
 # ---- What is right, by trying all sets of points
@@ -91,7 +92,8 @@ def delaunay(points, rng):
     dimension = rank([minus(points[k], points[0]) for k in names])
     axes = next(some for some in itertools.combinations(range(3), dimension) if rank(
         [[v if k in some else 0 for k, v in enumerate(minus(points[p], points[0]))] for p in names]) == dimension)
-    lifted = {p: [points[p][k] for k in axes] + [dot(points[p], points[p]) * 2**80 + rng.randrange(2**40)] for p in names}
+    lifted = {p: [points[p][k] for k in axes] + [dot(points[p], points[p]) * 2**99 + rng.randrange(2**40)]
+              for p in names}
     cells = []
     for cell in itertools.combinations(names, dimension + 1):
         start = lifted[cell[0]]
@@ -246,8 +248,9 @@ class ProofTest(unittest.TestCase):
         self.expect(self.of_cells([*SQUARE, (0, 0, 1)], [(0, 1, 2, 3)]), 1, "T1 cell 0")
         self.expect(self.of_cells([(0, 0, 0), (1, 0, 0), (3, 0, 0)], [(0, 1, 2)]), 1, "T1 cell 0")
         for names, status in (((0, 1, 2, 3), 0), ((1, 0, 2, 3), 1)):
-            self.expect(self.of_certificate(CORNERS[:4], certificate(CORNERS[:4], 3, 1, [*names, 0, 0, 0, 0])), status,
-                        "T1 cell 0: its volume is not positive, nothing is said" if status else "proved: these 1 cells")
+            data = certificate(CORNERS[:4], 3, 1, [*names, 0, 0, 0, 0])
+            self.expect(self.of_certificate(CORNERS[:4], data), status, "certificate rejected: T1 cell 0: its volume is "
+                        "not positive, nothing is said of the list\n" if status else "proved: these 1 cells")
         flat = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)]
         self.expect(self.of_certificate(flat, certificate(flat, 3, 1, [0, 1, 2, 3, 0, 0, 0, 0])), 1, "T1 cell 0")
 
@@ -261,8 +264,10 @@ class ProofTest(unittest.TestCase):
         points = [(0, 0, 0), (4, 0, 0), (0, 4, 0), (5, 5, 0), (9, 9, 0)]
         halves = [0, 1, 2, 0, 0, 7]  # the triangles 0 1 2 and 3 2 1; the facet 2 3 of the second one comes next
         self.expect(self.of_certificate(points[:4], certificate(points[:4], 2, 2, [*halves, 0, 0])), 0)
+        # In the plane the first cell says what is positive.
+        self.expect(self.of_certificate(points[:4], certificate(points[:4], 2, 2, [1, 0, 2, 0, 7, 0, 0, 0])), 0)
         strip = [0, 2, 1, 0, 5, 0, 5, 0, 5, 0, 6]  # of Möbius: 0 2 1, and then with 0 1 and 4, 0 4 and 3, 3 4 and 2
-        for numbers, words in (([*halves, 1], "T2 cell 2: a third cell at the facet, [1, 2], nothing is said of the list"),
+        for numbers, words in (([*halves, 1], "T2 cell 2: a third cell at the facet, [1, 2], nothing is said of the"),
                                ([*halves, 2], "T2 cell 2: a second cell at a facet that was left unpaired, [0, 2]"),
                                ([*halves, 0, 4], "T2 cell 2: a second cell at a facet that was left unpaired, [0, 1]"),
                                (strip, "T2 cell 4: on the same side of the facet [1, 2] as cell 0")):
@@ -355,6 +360,10 @@ class ProofTest(unittest.TestCase):
                 self.expect(self.of_certificate(points, data), 2, "p.fcert: cannot be decoded: ")
         for data in (good.replace(b"points 5", b"points 6"), good.replace(digest(points).encode(), b"0" * 64)):
             self.expect(self.of_certificate(points, data), 2, "p.fcert: not of these points")
+        self.expect(self.of_certificate(points, certificate(points, 2, 2, [2**33])), 2, f"{2**33} is not the first row")
+        self.expect(self.of_certificate(points, certificate(points, 2, 2, [2**33 + 1])), 2, "a number beyond 2^33")
+        spelled = head + b"\n\n" + bytes([0x80, 0x80, 0x80, 0x80, 0x80, 0, *body[1:]])
+        self.expect(self.of_certificate(points, spelled), 2, "of more than five bytes")
         spelled = head + b"\n\n" + bytes([0x80, 0x80, 0x80, 0x80, 0, *body[1:]])  # a long zero is a zero
         self.expect(self.of_certificate(points, spelled), 0)
 
@@ -401,7 +410,7 @@ class ProofTest(unittest.TestCase):
     TRAPEZOID = [(0, 0, 0), (4, 0, 0), (0, 2, 0), (4, 2, 0), (0, 0, 5), (0, 0, 0), (9, 7, 11)]
 
     def right_case(self, points):
-        dimension, cells = delaunay(points, random.Random(7))
+        cells = delaunay([tuple(map(Fraction, point)) for point in points], random.Random(7))[1]
         out = str(self.folder / "right.fcert")
         self.expect(self.of_cells(points, cells, "--from-cells", out), 0)
         return Path(out).read_bytes()
@@ -409,13 +418,16 @@ class ProofTest(unittest.TestCase):
     def test_a_right_list_is_proved_and_said_to_be(self):
         data = self.right_case(self.TRAPEZOID)
         keys = {"exact": "index, kind, contact, center, squared_distance, center_double, squared_distance_double\n",
-                "double": "index, kind, contact, center_double, squared_distance_double\n", "none": "index, kind, contact\n"}
+                "double": "index, kind, contact, center_double, squared_distance_double\n",
+                "none": "index, kind, contact\n"}
         for centers, told in keys.items():
             some = list_of(self.TRAPEZOID, centers)
             self.expect(self.of_certificate(self.TRAPEZOID, data, self.file("l", written(some))), 0,
-                        f"proved: all {len(some) - 1} stationary points: critical 6 ", f"proved, line by line of "
-                        f"{self.folder}/l: {told}", "l: points, merged_duplicates, critical, regular_stationary, classes, "
-                        "input_sha256\n", "l: version, commit, kernel, compiler, cgal\n", "hash of the points: compared\n")
+                        f"proved: all {len(some) - 1} stationary points: critical 6 ",
+                        f"proved, line by line of {self.folder}/l: {told}", f"proved, header of {self.folder}/l: points, "
+                        "merged_duplicates, critical, regular_stationary, classes, input_sha256\n",
+                        f"not compared, header of {self.folder}/l: version, commit, kernel, compiler, cgal\n",
+                        "hash of the points: compared\n")
         head, *records = list_of(self.TRAPEZOID)
         more = {**dict(list(head.items())[:8]), "left_out": [3], **dict(list(head.items())[8:]), "morse_smale": True,
                 "hull_volume": "1/3", "volumes": "exact"}
@@ -434,8 +446,8 @@ class ProofTest(unittest.TestCase):
                         f"list refuted: line {where}: ", *words)
 
         head = lines[0]
-        for key, value in (("format", "flowcert-pairs"), ("format_version", 2), ("input_sha256", "0" * 64), ("points", 8),
-                           ("merged_duplicates", 0), ("classes", []), ("classes", [[0, 4]]), ("critical", [6, 0, 0, 0]),
+        for key, value in (("format", "flowcert-pairs"), ("format_version", 2), ("input_sha256", "0" * 64),
+                           ("points", 8), ("merged_duplicates", 0), ("classes", []), ("classes", [[0, 4]]), ("critical", [6, 0, 0, 0]),
                            ("critical", head["critical"][:3]), ("regular_stationary", {"1-2": 9, "1-3": 0, "2-3": 0})):
             refuted([{**head, key: value}, *lines[1:]], 1, key)
         for k, line in enumerate(lines[1:], 1):
@@ -444,8 +456,8 @@ class ProofTest(unittest.TestCase):
                                ("kind", "regular" if line["kind"] == "critical" else "critical"), ("kind", "Critical"),
                                ("contact", line["contact"][:-1]), ("contact", [*line["contact"], 99]),
                                ("contact", line["contact"] * 2), ("center", [*line["center"][:2], "77"]),
-                               ("center", [line["center"][0] + "/1", *line["center"][1:]]), ("squared_distance", "1/77"),
-                               ("squared_distance", line["squared_distance"] + " "),
+                               ("center", [line["center"][0] + "/1", *line["center"][1:]]),
+                               ("squared_distance", "1/77"), ("squared_distance", line["squared_distance"] + " "),
                                ("center_double", [*line["center_double"][:2], None]),
                                ("center_double", [line["center_double"][0] + 2e-15, *line["center_double"][1:]]),
                                ("squared_distance_double", None), ("squared_distance_double", 0.77)):
@@ -490,6 +502,27 @@ class ProofTest(unittest.TestCase):
         undecodable(written(lines[:1]) + b"\xff\n", 2)
         undecodable(written(lines).replace(b'"commit":"c"', b'"commit":"\n"'), 1)
 
+    def test_a_zero_has_no_sign(self):
+        points = [(-5e-324, 0, 0), (-0.0, -0.0, 0)]
+        data, lines = self.right_case(points), list_of([tuple(map(Fraction, point)) for point in points])
+        for zero in (0.0, -0.0):
+            lines[-1]["center_double"] = [zero, zero, 0.0]
+            self.expect(self.of_certificate(points, data, self.file("l", written(lines))), 0)
+        lines[-1]["center_double"] = [-5e-324, 0.0, 0.0]
+        self.expect(self.of_certificate(points, data, self.file("l", written(lines))), 1, "center_double")
+
+    def test_a_half_ball_is_regular_by_any_diagonal(self):
+        points, kinds = [(3, 0, 0), (-3, 0, 0), (0, 3, 0), (0, -3, 0), (1, 2, 2), (-2, -1, 2), (0, 0, 3)], set()
+        text = written(list_of(points))
+        self.assertIn(b'"index":[2,3],"kind":"regular","contact":[0,1,2,3,4,5,6]', text)
+        for seed in range(8):
+            cells = delaunay(points, random.Random(seed))[1]
+            kinds.add(any({0, 1} <= set(cell) for cell in cells))
+            out = str(self.folder / "out.fcert")
+            self.expect(self.of_cells(points, cells, "--from-cells", out), 0)
+            self.expect(self.of_certificate(points, Path(out).read_bytes(), self.file("l", text)), 0)
+        self.assertEqual(kinds, {False, True})
+
     def test_a_double_beyond_all_is_null(self):
         points = [(0, 0, 0), (2**600, 0, 0), (0, 2**601, 0)]
         data, lines = self.right_case(points), list_of(points)
@@ -502,6 +535,7 @@ class ProofTest(unittest.TestCase):
 
     def test_drawn_inputs_against_all_sets_of_points(self):
         rng, kinds, dimensions = random.Random(45), set(), set()
+        grid = list(itertools.product(range(3), repeat=2))
         sphere = [p for p in itertools.product(range(-3, 4), repeat=3) if dot(p, p) == 9]
         for run in range(120):
             size = rng.randint(1, 8)
@@ -510,8 +544,9 @@ class ProofTest(unittest.TestCase):
                       [(2 * k, 1 - k, 3 * k) for k in rng.choices(range(6), k=size)],
                       [*rng.sample(sphere[len(sphere) * (run % 12 > 6) // 2:], size), (0, 0, 0)],
                       [tuple(rng.randint(-50, 50) for _ in range(3)) for _ in range(size)],
-                      [(a + b, a - b, 2 * a + 1) for a, b in rng.choices(list(itertools.product(range(3), repeat=2)), k=size)]
-                      ][run % 6]
+                      [(a + b, a - b, 2 * a + 1) for a, b in rng.choices(grid, k=size)]][run % 6]
+            scale = rng.choice([1, Fraction(1, 2), Fraction(3, 1024)])
+            points = [tuple(scale * x for x in point) for point in points]
             dimension, cells = delaunay(points, rng)
             rng.shuffle(cells)
             out = str(self.folder / "out.fcert")
@@ -526,17 +561,19 @@ class ProofTest(unittest.TestCase):
                 wrong = rng.randrange(len(cells))
                 self.expect(self.of_cells(points, cells[:wrong] + cells[wrong + 1:]), 1, "cells rejected: T")
                 self.damage(points, data, cells, rng)
-        self.assertEqual((sorted(kinds), dimensions), (sorted(["0", "1", "2", "3", "[1, 2]", "[1, 3]", "[2, 3]"]), {0, 1, 2, 3}))
+        self.assertEqual(kinds, {"0", "1", "2", "3", "[1, 2]", "[1, 3]", "[2, 3]"})
+        self.assertEqual(dimensions, {0, 1, 2, 3})
 
     def damage(self, points, data, cells, rng):
         """A certificate with another byte is refused, but for one that says the same or another right thing."""
         start = data.index(b"\n\n") + 2
         for _ in range(4):
             place = rng.randrange(start, len(data))
-            changed = data[:place] + bytes([rng.choice([0, 1, 2, data[place] ^ 1 << rng.randrange(8)])]) + data[place + 1:]
-            status, told = self.of_certificate(points, changed)
+            other = rng.choice([0, 1, 2, data[place] ^ 1 << rng.randrange(8)])
+            status, told = self.of_certificate(points, data[:place] + bytes([other]) + data[place + 1:])
             if status == 0:
-                found, _ = proof.read_certificate(str(self.folder / "p.fcert"), proof.Points(str(self.folder / "p.xyz")))
+                read = proof.Points(str(self.folder / "p.xyz"))
+                found, _ = proof.read_certificate(str(self.folder / "p.fcert"), read)
                 self.assertEqual(len(found.cells), len(cells), told)
                 for cell in found.cells:
                     sphere = smallest_sphere([points[p] for p in cell])
