@@ -249,8 +249,8 @@ class ProofTest(unittest.TestCase):
         self.expect(self.of_cells([(0, 0, 0), (1, 0, 0), (3, 0, 0)], [(0, 1, 2)]), 1, "T1 cell 0")
         for names, status in (((0, 1, 2, 3), 0), ((1, 0, 2, 3), 1)):
             data = certificate(CORNERS[:4], 3, 1, [*names, 0, 0, 0, 0])
-            self.expect(self.of_certificate(CORNERS[:4], data), status, "certificate rejected: T1 cell 0: its volume is "
-                        "not positive, nothing is said of the list\n" if status else "proved: these 1 cells")
+            self.expect(self.of_certificate(CORNERS[:4], data), status, "certificate rejected: T1 cell 0: its volume "
+                        "is not positive, nothing is said of the list\n" if status else "proved: these 1 cells")
         flat = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)]
         self.expect(self.of_certificate(flat, certificate(flat, 3, 1, [0, 1, 2, 3, 0, 0, 0, 0])), 1, "T1 cell 0")
 
@@ -424,7 +424,8 @@ class ProofTest(unittest.TestCase):
             some = list_of(self.TRAPEZOID, centers)
             self.expect(self.of_certificate(self.TRAPEZOID, data, self.file("l", written(some))), 0,
                         f"proved: all {len(some) - 1} stationary points: critical 6 ",
-                        f"proved, line by line of {self.folder}/l: {told}", f"proved, header of {self.folder}/l: points, "
+                        f"proved, line by line of {self.folder}/l: {told}",
+                        f"proved, header of {self.folder}/l: points, "
                         "merged_duplicates, critical, regular_stationary, classes, input_sha256\n",
                         f"not compared, header of {self.folder}/l: version, commit, kernel, compiler, cgal\n",
                         "hash of the points: compared\n")
@@ -447,7 +448,8 @@ class ProofTest(unittest.TestCase):
 
         head = lines[0]
         for key, value in (("format", "flowcert-pairs"), ("format_version", 2), ("input_sha256", "0" * 64),
-                           ("points", 8), ("merged_duplicates", 0), ("classes", []), ("classes", [[0, 4]]), ("critical", [6, 0, 0, 0]),
+                           ("points", 8), ("merged_duplicates", 0), ("classes", []), ("classes", [[0, 4]]),
+                           ("critical", [6, 0, 0, 0]),
                            ("critical", head["critical"][:3]), ("regular_stationary", {"1-2": 9, "1-3": 0, "2-3": 0})):
             refuted([{**head, key: value}, *lines[1:]], 1, key)
         for k, line in enumerate(lines[1:], 1):
