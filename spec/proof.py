@@ -497,7 +497,7 @@ class List:
         self.path, self.t, self.points, self.stationary = path, triangulation, triangulation.points, stationary
 
     def values(self, number, line, pattern):
-        text = line.decode("utf-8", errors="replace")
+        text = line.decode("utf-8", errors="backslashreplace")
         found = pattern.fullmatch(text)
         if not found:
             unknown = [key for key in re.findall(r'"(\w{1,40})":', text) if key not in pattern.groupindex]

@@ -503,6 +503,7 @@ class ProofTest(unittest.TestCase):
         undecodable(written(lines)[:-1], len(lines))
         undecodable(written(lines[:1]) + b"\xff\n", 2)
         undecodable(written(lines).replace(b'"commit":"c"', b'"commit":"\n"'), 1)
+        undecodable(written(lines).replace(b'"commit":"c"', b'"commit":"\xfa"'), 1)
 
     def test_a_zero_has_no_sign(self):
         points = [(-5e-324, 0, 0), (-0.0, -0.0, 0)]
