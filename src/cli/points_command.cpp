@@ -17,9 +17,7 @@ namespace flowcert::cli {
 
 namespace {
 
-struct PointsOptions {
-  std::string input;
-  ReadingOptions reading;
+struct PointsOptions : InputOptions {
   std::string output;
 };
 
@@ -37,10 +35,10 @@ void write_rows(std::ostream& out, const PointSet& points) {
 }
 
 void run_points(const PointsOptions& options) {
-  const Input input = read_input(options.input, options.reading);
+  const Input input = read_input(options);
   if (options.output == kStandardStream) return write_rows(std::cout, input.points);
   io::write_whole_file(options.output, [&](std::ostream& out) { write_rows(out, input.points); });
-  print_wrapped(display_name(options.input) + " (" + input.file.format + ")");
+  print_wrapped(input.name + " (" + input.file.format + ")");
   print_point_counts(input.points);
   print_row("SHA-256", coordinates_sha256(input.points));
 }
@@ -50,7 +48,7 @@ void run_points(const PointsOptions& options) {
 void add_points_command(CLI::App& app) {
   auto options = std::make_shared<PointsOptions>();
   CLI::App* command = app.add_subcommand("points", "The points of a file as raw doubles, for flowcert-proof");
-  add_input_options(*command, options->input, options->reading);
+  add_input_options(*command, *options);
   command
       ->add_option("-o,--output", options->output,
                    "Write the points to this file, 24 bytes each: x, y and z as little-endian IEEE doubles, in the "
