@@ -1,0 +1,189 @@
+// The cells that a certificate tells, and which of their facets are paired; T2.
+//
+// In dimension d a cell has vertices at the places 0 to d. Facet i is without the vertex at place i, which is *opposite*
+// to it. A facet has the number 4 * (number of the cell) + i.
+#pragma once
+
+#include <random>
+#include <utility>
+
+#include "spheres.h"
+
+using Facet = std::uint32_t;
+constexpr Facet kHull = kNone, kOpen = kNone - 1;  // instead of a mate: not paired; not known yet
+
+struct Triangulation {
+  int dimension = -1;
+  std::vector<Simplex> cells;
+  std::vector<std::array<Facet, 4>> mates;  // by cell and place: the facet that this one is paired with, or kHull
+
+  Facet& mate(Facet facet) { return mates[facet / 4][facet % 4]; }
+  Facet mate(Facet facet) const { return mates[facet / 4][facet % 4]; }
+  Id opposite(Facet facet) const { return cells[facet / 4][facet % 4]; }
+  bool is_facet(Facet facet) const { return static_cast<int>(facet % 4) <= dimension; }
+
+  // In the order of places, then kNone. The cell induces this orientation on its facet if the opposite vertex is at an
+  // even place, and the other one if it is at an odd place.
+  Simplex vertices(Facet facet) const {
+    const Simplex& v = cells[facet / 4];
+    const Facet i = facet % 4;
+    return {v[i > 0 ? 0 : 1], v[i > 1 ? 1 : 2], v[i > 2 ? 2 : 3], kNone};
+  }
+};
+
+// Up to three ids in ascending order, and whether it takes an odd permutation to get there.
+struct SortedIds {
+  Simplex ids;
+  bool is_odd;
+
+  explicit SortedIds(const Simplex& v) : is_odd((v[0] > v[1]) != ((v[0] > v[2]) != (v[1] > v[2]))) {
+    const Id low = std::min(v[0], v[1]), high = std::max(v[0], v[1]);
+    ids = {std::min(low, v[2]), std::max(low, std::min(high, v[2])), std::max(high, v[2]), kNone};
+  }
+};
+
+class CertificateReader {
+ public:
+  CertificateReader(const std::string& path, const Points& points)
+      : path_(path), points_(points), bytes_(bytes_of_file(path)) {}
+
+  Triangulation read() {
+    const std::size_t count = read_header();
+    if (count > 0) read_cells(count);
+    if (at_ != bytes_.size()) fail("bytes are left over");
+    return std::move(t_);
+  }
+  bool has_hash() const { return has_hash_; }
+
+ private:
+  [[noreturn]] void fail(const std::string& why) const { cannot_decide(path_ + ": cannot be decoded: " + why); }
+
+  bool take(const std::string& text) {
+    const bool is_there = bytes_.compare(at_, text.size(), text) == 0;
+    if (is_there) at_ += text.size();
+    return is_there;
+  }
+  // Returns the number of cells, which is no greater than that of bytes.
+  std::size_t read_header() {
+    if (!take("flowcert-certificate 1\npoints ")) fail("it does not begin like a certificate");
+    if (!take(std::to_string(points_.row_count()) + "\n")) fail("it is not of these points");
+    has_hash_ = take("sha256 ");
+    if (has_hash_) {
+      const std::size_t end = bytes_.find_first_not_of("0123456789abcdef", at_);
+      if (end != at_ + 64 || bytes_[end] != '\n') fail("its hash");
+      at_ = end + 1;
+    }
+    if (!take("dimension ")) fail("no dimension");
+    while (!take(std::to_string(t_.dimension) + "\ncells ")) {
+      if (++t_.dimension > 3) fail("its dimension");
+    }
+    const std::size_t count = std::strtoull(bytes_.c_str() + at_, nullptr, 10);
+    if (!take(std::to_string(count) + "\n\n")) fail("its number of cells");
+    if ((count == 0) != (t_.dimension < 1)) fail("there are cells if and only if the dimension is at least 1");
+    if (count > bytes_.size() - at_ || count >= kOpen / 4) fail("it has not as many cells as it says");
+    return count;
+  }
+
+  // The cells are glued one by one, each to a facet of an earlier one.
+  void read_cells(std::size_t count) {
+    t_.cells.reserve(count);
+    t_.mates.reserve(count);
+    slots_.assign(std::bit_ceil(4 * count + 4), kNone);  // there are at most 3 * count + 1 sets
+    Simplex first{kNone, kNone, kNone, kNone};
+    for (int place = 0; place <= t_.dimension; ++place) first[static_cast<std::size_t>(place)] = id(number());
+    enter(first, kNone);
+    while (!open_.empty()) {
+      const Facet facet = open_.back();
+      open_.pop_back();
+      if (t_.mate(facet) != kOpen) continue;
+      const std::uint64_t code = number();
+      if (code == 0) {
+        t_.mate(facet) = kHull;
+      } else {
+        if (t_.cells.size() == count) fail("it has more cells than it says");
+        enter(cell_behind(facet, code - 1), facet);
+      }
+    }
+    if (t_.cells.size() != count) fail("it has fewer cells than it says");
+  }
+  std::uint64_t number() {  // 7 bits a byte, the low ones first
+    std::uint64_t value = 0;
+    for (int shift = 0; shift < 35 && at_ < bytes_.size(); shift += 7) {
+      const auto byte = static_cast<unsigned char>(bytes_[at_++]);
+      value |= static_cast<std::uint64_t>(byte & 127) << shift;
+      if (byte < 128 && value <= std::uint64_t{1} << 33) return value;
+      if (byte < 128) break;
+    }
+    fail("a number is cut short, or too large");
+  }
+  Id id(std::uint64_t number) const {
+    if (!points_.is_id(number)) fail("there is no point " + std::to_string(number));
+    return static_cast<Id>(number);
+  }
+  // The facet's cell with another vertex in the opposite one's place. Two places are swapped, so that its volume is
+  // positive if it lies behind the facet.
+  Simplex cell_behind(Facet facet, std::uint64_t zigzag) const {
+    Simplex cell = t_.cells[facet / 4];
+    const Facet i = facet % 4;
+    cell[i] = id(cell[i] + (zigzag >> 1 ^ -(zigzag & 1)));  // 0, -1, 1, -2, 2 ... are added
+    std::swap(cell[t_.dimension > 1 && i == 0 ? 1 : 0], cell[t_.dimension > 1 && i < 2 ? 2 : 1]);
+    return cell;
+  }
+
+  // Adds the cell, glued to the facet `front` of another one. Its other facets are paired with those of the same
+  // vertices, or else open.
+  void enter(const Simplex& cell, Facet front) {
+    const auto begin = static_cast<Facet>(4 * t_.cells.size());
+    t_.cells.push_back(cell);
+    t_.mates.push_back({kOpen, kOpen, kOpen, kOpen});
+    if (front != kNone) pair(front, begin + (t_.dimension == 1 ? 1 - front % 4 : front % 4));
+    for (Facet facet = begin; facet != begin + 4 && t_.is_facet(facet); ++facet) {
+      if (t_.mate(facet) != kOpen) continue;
+      const SortedIds own(t_.vertices(facet));
+      Facet& other = first_facet(own.ids);
+      if (other == kNone) {
+        other = facet;
+        open_.push_back(facet);
+      } else {
+        check_pair(facet, own, other);
+        pair(facet, other);
+      }
+    }
+  }
+  void pair(Facet facet, Facet other) {
+    t_.mate(facet) = other;
+    t_.mate(other) = facet;
+  }
+  // T2. Facets that are paired have the same vertices, and their cells induce opposite orientations on them. No other
+  // facet has these vertices.
+  void check_pair(Facet facet, const SortedIds& own, Facet other) const {
+    const auto reject_here = [facet](const char* why) { reject("T2 cell " + std::to_string(facet / 4) + why); };
+    if (t_.mate(other) == kHull) reject_here(" is the second one at a facet that was left unpaired");
+    if (t_.mate(other) != kOpen) reject_here(" is the third one at a facet");
+    const bool other_is_odd = SortedIds(t_.vertices(other)).is_odd;
+    if ((own.is_odd == other_is_odd) == (facet % 2 == other % 2)) reject_here(" is on another one's side of a facet");
+  }
+
+  // The first facet that has these vertices: a slot of a hash table, kNone if there is none yet. There is chance in the
+  // hash, so that nobody can write a certificate whose facets all meet in one slot.
+  Facet& first_facet(const Simplex& ids) {
+    std::uint64_t hash = chance_;
+    for (const Id id : ids) {
+      hash = (hash ^ id) * 0x9e3779b97f4a7c15;
+      hash ^= hash >> 32;
+    }
+    for (;; ++hash) {
+      Facet& slot = slots_[hash & (slots_.size() - 1)];
+      if (slot == kNone || SortedIds(t_.vertices(slot)).ids == ids) return slot;
+    }
+  }
+
+  const std::string& path_;
+  const Points& points_;
+  const std::string bytes_;
+  std::size_t at_ = 0;
+  bool has_hash_ = false;
+  Triangulation t_;
+  std::vector<Facet> open_, slots_;
+  const std::uint64_t chance_ = std::uint64_t{std::random_device{}()} << 32 | std::random_device{}();
+};

@@ -1,0 +1,91 @@
+// Reads JSON as flowcert writes it, without blanks, from the beginning to the end: a file is never held whole.
+#pragma once
+
+#include <cstdio>
+#include <memory>
+
+#include "points.h"
+
+class JsonReader {
+ public:
+  explicit JsonReader(const std::string& path) : path_(path), file_(std::fopen(path.c_str(), "rb"), &std::fclose) {
+    if (file_ == nullptr) cannot_decide(path + ": cannot be read");
+    pass();
+  }
+
+  [[noreturn]] void fail(const std::string& why) const {
+    cannot_decide(path_ + ":" + std::to_string(line_) + ": " + why);
+  }
+  std::size_t line() const { return line_; }
+  int next() const { return next_; }  // the next character, or EOF
+
+  bool take(char c) {
+    if (next_ != c) return false;
+    pass();
+    return true;
+  }
+  bool take(const std::string& text) {  // or a part of it, if it is not there
+    return std::all_of(text.begin(), text.end(), [this](char c) { return take(c); });
+  }
+  void need(const std::string& text) {
+    if (!take(text)) fail("cannot be decoded, " + text + " is due");
+  }
+  // The next key of an object with what is around it, or nothing at its end.
+  std::string key() {
+    if (take('}')) return "";
+    if (!take(',') && !take('{')) fail("cannot be decoded, a key is due");
+    std::string text = string();
+    need(":");
+    return text;
+  }
+  void need_key(const std::string& expected) {
+    const std::string found = key();
+    if (found == expected) return;
+    if (found.empty()) fail("cannot be decoded, the key \"" + expected + "\" is missing");
+    fail("the key \"" + found + "\" is not proved" + (expected.empty() ? "" : ", \"" + expected + "\" is due"));
+  }
+  std::string string() {
+    need("\"");
+    std::string text;
+    while (next_ >= ' ' && next_ != '"') {
+      if (next_ == '\\') text += pass();
+      text += pass();
+    }
+    need("\"");
+    return text;
+  }
+  // What a number is made of, or null is.
+  std::string word() {
+    std::string text;
+    while (std::isalnum(next_) != 0 || next_ == '-' || next_ == '+' || next_ == '.') text += pass();
+    return text;
+  }
+  // Passes over a value that is not compared.
+  void skip_value() {
+    int depth = 0;
+    do {
+      if (next_ == '"') {
+        string();
+      } else if (next_ < ' ') {
+        fail("cannot be decoded, a value has no end");
+      } else {
+        const char c = pass();
+        depth += (c == '[' || c == '{' ? 1 : 0) - (c == ']' || c == '}' ? 1 : 0);
+      }
+    } while (depth > 0 || (next_ != ',' && next_ != '}'));
+  }
+
+ private:
+  char pass() {
+    const auto c = static_cast<char>(next_);
+    if (c == '\n') ++line_;
+    next_ = std::getc(file_.get());
+    if (next_ == EOF && std::ferror(file_.get()) != 0) fail("cannot be read");
+    return c;
+  }
+
+  const std::string path_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  std::size_t line_ = 1;
+  int next_ = 0;
+};

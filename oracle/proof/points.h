@@ -1,0 +1,169 @@
+// The points of a file, and the vectors between them in each number type.
+//
+// A row is known by its number, from 0. Rows of equal coordinates are one point, whose id is the first of them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <numeric>
+#include <vector>
+
+#include "numbers.h"
+
+using Id = std::uint32_t;
+constexpr Id kNone = 0xffffffff;
+using Row = std::array<double, 3>;
+
+inline std::string bytes_of_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (!file.is_open() || file.bad()) cannot_decide(path + ": cannot be read");
+  return bytes;
+}
+
+// Reads [-]digits[.digits][e[+-]digits], with a digit beside the point, as the nearest double.
+inline bool read_decimal(const char*& at, double& x) {
+  const std::size_t length = std::strspn(at, "0123456789.e+-");  // no infinity, nothing hexadecimal
+  char* end = nullptr;
+  x = std::strtod(at, &end);
+  const bool is_decimal = length > 0 && *at != '+' && end == at + length;
+  at = end;
+  return is_decimal;
+}
+
+class Points {
+ public:
+  // Reads .xyz, three decimals a row, or .f64, three doubles a row, little-endian.
+  explicit Points(const std::string& path) {
+    const std::vector<Row> rows = read(path);
+    find_ids(rows);
+    find_grid(rows);
+  }
+
+  std::size_t row_count() const { return id_of_row_.size(); }
+  std::size_t point_count() const { return point_count_; }
+  Id id_of_row(Id row) const { return id_of_row_[row]; }
+  bool is_id(std::uint64_t number) const { return number < id_of_row_.size() && id_of_row_[number] == number; }
+
+  // All coordinates are integers times 2^grid_exponent(), and these are the integers.
+  int grid_exponent() const { return grid_exponent_; }
+  const mpz_class& on_grid(Id p, std::size_t axis) const { return on_grid_[p][axis]; }
+
+  // The vector from p to q: in units of the grid for integers, scaled for Filtered.
+  template <class N>
+  Vector<N> vector(Id p, Id q) const {
+    return {difference(N{}, p, q, 0), difference(N{}, p, q, 1), difference(N{}, p, q, 2)};
+  }
+
+  // The sign of a polynomial, a function of the number type alone. 128 bits hold what it computes if coordinates on the
+  // grid are below 2^bits.
+  template <class Polynomial>
+  int sign(const Polynomial& polynomial, int bits = 18) const {
+    const Filtered filtered = polynomial.template operator()<Filtered>();
+    if (filtered.has_certain_sign()) return sign_of(filtered);
+    if (grid_bits_ <= bits) return sign_of(polynomial.template operator()<Integer128>());
+    return sign_of(polynomial.template operator()<BigInteger>());
+  }
+
+ private:
+  static std::vector<Row> read(const std::string& path) {
+    const std::string bytes = bytes_of_file(path);
+    std::vector<Row> rows;
+    const auto fail = [&](std::size_t k, const char* why) {
+      cannot_decide(path + ":" + std::to_string(k) + ": " + why);
+    };
+    if (path.ends_with(".xyz")) {
+      for (const char* at = bytes.c_str(); at != bytes.c_str() + bytes.size();) {
+        if (!read_row(at, rows.emplace_back())) fail(rows.size(), "not three decimals with blanks between them");
+      }
+    } else if (path.ends_with(".f64") && bytes.size() % 24 == 0) {
+      static_assert(std::endian::native == std::endian::little && sizeof(Row) == 24);
+      rows.resize(bytes.size() / 24);
+      std::copy(bytes.begin(), bytes.end(), reinterpret_cast<char*>(rows.data()));
+    } else {
+      cannot_decide(path + ": neither .xyz nor .f64 with 24 bytes a row");
+    }
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      for (double& x : rows[k]) {
+        if (!std::isfinite(x)) fail(k + 1, "a coordinate is not finite");
+        x += 0.0;  // -0 is 0
+      }
+    }
+    if (rows.size() >= kNone) cannot_decide(path + ": too many rows");
+    return rows;
+  }
+  // Reads three decimals, with blanks between them, and the end of the line.
+  static bool read_row(const char*& at, Row& row) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t blanks = axis == 0 ? 0 : std::strspn(at, " \t");
+      at += blanks;
+      if ((axis > 0 && blanks == 0) || !read_decimal(at, row[axis])) return false;
+    }
+    if (*at == '\r' && at[1] == '\n') ++at;
+    return *at == '\n' ? (++at, true) : *at == '\0';
+  }
+
+  void find_ids(const std::vector<Row>& rows) {
+    id_of_row_.resize(rows.size());
+    std::vector<Id> order(rows.size());
+    std::iota(order.begin(), order.end(), Id{0});
+    const auto is_before = [&](Id a, Id b) { return rows[a] != rows[b] ? rows[a] < rows[b] : a < b; };
+    std::sort(order.begin(), order.end(), is_before);
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      const bool is_new = k == 0 || rows[order[k - 1]] != rows[order[k]];
+      id_of_row_[order[k]] = is_new ? order[k] : id_of_row_[order[k - 1]];
+      if (is_new) ++point_count_;
+    }
+  }
+
+  void find_grid(const std::vector<Row>& rows) {
+    int low = 2000, high = -2000;  // all coordinates are multiples of 2^low, and below 2^high
+    for (const Row& row : rows) {
+      for (const double x : row) {
+        if (x != 0) low = std::min(low, lowest_bit(x)), high = std::max(high, std::ilogb(x) + 1);
+      }
+    }
+    if (low > high) low = high = 0;
+    grid_exponent_ = low;
+    grid_bits_ = high - low;
+    scaled_.resize(rows.size());
+    on_grid_.resize(rows.size());
+    for (std::size_t p = 0; p < rows.size(); ++p) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double x = rows[p][axis];
+        scaled_[p][axis] = std::ldexp(x, -high);
+        if (x == 0) continue;
+        const int zeros = lowest_bit(x) - low;
+        on_grid_[p][axis] = mpz_class(std::ldexp(x, -low - zeros)) << static_cast<mp_bitcnt_t>(zeros);
+      }
+    }
+  }
+  static int lowest_bit(double x) {  // its exponent
+    int exponent = 0;
+    const double mantissa = std::ldexp(std::frexp(std::fabs(x), &exponent), 53);
+    return exponent - 53 + std::countr_zero(static_cast<std::uint64_t>(mantissa));
+  }
+
+  Filtered difference(Filtered, Id p, Id q, std::size_t axis) const {
+    const double value = scaled_[q][axis] - scaled_[p][axis];
+    return {value, std::fabs(value)};
+  }
+  Integer128 difference(Integer128, Id p, Id q, std::size_t axis) const {  // exact, because of so few bits
+    return static_cast<Integer128>((scaled_[q][axis] - scaled_[p][axis]) * static_cast<double>(1 << grid_bits_));
+  }
+  BigInteger difference(const BigInteger&, Id p, Id q, std::size_t axis) const {
+    return {on_grid_[q][axis] - on_grid_[p][axis]};
+  }
+
+  std::vector<Id> id_of_row_;
+  std::size_t point_count_ = 0;
+  int grid_exponent_ = 0, grid_bits_ = 0;
+  std::vector<Row> scaled_;  // by a power of two, to less than 1
+  std::vector<std::array<mpz_class, 3>> on_grid_;
+};
