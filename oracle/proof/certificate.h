@@ -20,10 +20,10 @@ struct Triangulation {
   Facet& mate(Facet facet) { return mates[facet / 4][facet % 4]; }
   Facet mate(Facet facet) const { return mates[facet / 4][facet % 4]; }
   Id opposite(Facet facet) const { return cells[facet / 4][facet % 4]; }
-  bool is_facet(Facet facet) const { return static_cast<int>(facet % 4) <= dimension; }
+  std::uint32_t places() const { return static_cast<std::uint32_t>(dimension + 1); }
 
-  // In the order of places, then kNone. The cell induces this orientation on its facet if the opposite vertex is at an
-  // even place, and the other one if it is at an odd place.
+  // In the order of places. The cell induces this orientation on its facet if the opposite vertex is at an even place,
+  // and the other one if it is at an odd place.
   Simplex vertices(Facet facet) const {
     const Simplex& v = cells[facet / 4];
     const Facet i = facet % 4;
@@ -88,9 +88,9 @@ class CertificateReader {
   void read_cells(std::size_t count) {
     t_.cells.reserve(count);
     t_.mates.reserve(count);
-    slots_.assign(std::bit_ceil(4 * count + 4), kNone);  // there are at most 3 * count + 1 sets
+    slots_.assign(std::bit_ceil(4 * count + 4), kNone);  // there are at most 3 * count + 1 sets of vertices
     Simplex first{kNone, kNone, kNone, kNone};
-    for (int place = 0; place <= t_.dimension; ++place) first[static_cast<std::size_t>(place)] = id(number());
+    for (Facet i = 0; i < t_.places(); ++i) first[i] = id(number());
     enter(first, kNone);
     while (!open_.empty()) {
       const Facet facet = open_.back();
@@ -137,7 +137,7 @@ class CertificateReader {
     t_.cells.push_back(cell);
     t_.mates.push_back({kOpen, kOpen, kOpen, kOpen});
     if (front != kNone) pair(front, begin + (t_.dimension == 1 ? 1 - front % 4 : front % 4));
-    for (Facet facet = begin; facet != begin + 4 && t_.is_facet(facet); ++facet) {
+    for (Facet facet = begin; facet < begin + t_.places(); ++facet) {
       if (t_.mate(facet) != kOpen) continue;
       const SortedIds own(t_.vertices(facet));
       Facet& other = first_facet(own.ids);
@@ -150,10 +150,8 @@ class CertificateReader {
       }
     }
   }
-  void pair(Facet facet, Facet other) {
-    t_.mate(facet) = other;
-    t_.mate(other) = facet;
-  }
+  void pair(Facet facet, Facet other) { t_.mate(facet) = other, t_.mate(other) = facet; }
+
   // T2. Facets that are paired have the same vertices, and their cells induce opposite orientations on them. No other
   // facet has these vertices.
   void check_pair(Facet facet, const SortedIds& own, Facet other) const {

@@ -11,18 +11,17 @@
 class DelaunayProof {
  public:
   DelaunayProof(const Points& points, const Triangulation& triangulation)
-      : points_(points), triangulation_(triangulation), cells_(triangulation.cells), is_cospherical_(cells_.size()) {}
+      : points_(points), t_(triangulation), is_cospherical_(t_.cells.size()) {}
 
   // Returns, by cell, the bits i for which the cell across facet i has the same circumsphere.
   std::vector<std::uint8_t> prove() {
     check_dimension();
-    if (cells_.empty()) return {};
-    for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) {
-      check_volume(cell);
-      for (Facet facet = 4 * cell; facet != 4 * cell + 4; ++facet) {
-        if (!triangulation_.is_facet(facet)) continue;
+    if (t_.dimension < 1) return {};
+    for (std::uint32_t cell = 0; cell < t_.cells.size(); ++cell) {
+      if (volume_sign(cell) <= 0) reject("T1 " + name(cell) + " has no positive volume");
+      for (Facet facet = 4 * cell; facet < 4 * cell + t_.places(); ++facet) {
         check_neighbor(facet);
-        if (triangulation_.mate(facet) == kHull) hull_.push_back(facet);
+        if (t_.mate(facet) == kHull) hull_.push_back(facet);
       }
     }
     check_middle();
@@ -39,8 +38,8 @@ class DelaunayProof {
   // cross product, or of the vector, tells it, with one sign for all.
   template <class N>
   N volume(const std::array<Vector<N>, 3>& v) const {
-    if (dimension_ == 3) return dot(v[0], cross(v[1], v[2]));
-    const Vector<N> w = dimension_ == 2 ? cross(v[0], v[1]) : v[0];
+    if (t_.dimension == 3) return dot(v[0], cross(v[1], v[2]));
+    const Vector<N> w = t_.dimension == 2 ? cross(v[0], v[1]) : v[0];
     const N along = axis_ == 0 ? w.x : axis_ == 1 ? w.y : w.z;
     return is_axis_reversed_ ? N{} - along : along;
   }
@@ -49,21 +48,22 @@ class DelaunayProof {
   N volume_from(Facet facet, const std::array<Vector<N>, 3>& v) const {
     return facet % 2 == 0 ? volume(v) : N{} - volume(v);
   }
-  int volume_sign(std::uint32_t cell) const {
-    const Simplex& v = cells_[cell];
+  int side_of_facet(Facet facet, Id x) const {
+    const Simplex ids = t_.vertices(facet);
     return points_.sign([&]<class N>() {
-      std::array<Vector<N>, 3> edges{};
-      for (std::size_t k = 0; k < dimension_; ++k) edges[k] = points_.vector<N>(v[0], v[k + 1]);
-      return volume(edges);
+      std::array<Vector<N>, 3> v{};
+      for (std::size_t k = 0; ids[k] != kNone; ++k) v[k] = points_.vector<N>(x, ids[k]);
+      return volume_from(facet, v);
     });
   }
+  int volume_sign(std::uint32_t cell) const { return side_of_facet(4 * cell, t_.cells[cell][0]); }
 
   // T0. d is the dimension of the points: all of them lie in the affine hull of the first cell.
   void check_dimension() {
-    const int d = triangulation_.dimension;
-    if (d < 1 && points_.point_count() != static_cast<std::size_t>(d + 1)) reject("T0 the dimension is another one");
+    const int d = t_.dimension;
+    if (d < 1 && points_.point_count() != t_.places()) reject("T0 the points have another dimension");
     if (d != 1 && d != 2) return;
-    const Simplex& v = cells_[0];
+    const Simplex& v = t_.cells[0];
     while (axis_ < 3 && volume_sign(0) == 0) ++axis_;
     if (axis_ == 3) reject("T1 cell 0 has no volume");
     is_axis_reversed_ = volume_sign(0) < 0;
@@ -77,17 +77,12 @@ class DelaunayProof {
     }
   }
 
-  // T1. Every cell has a positive volume.
-  void check_volume(std::uint32_t cell) const {
-    if (volume_sign(cell) <= 0) reject("T1 " + name(cell) + " has no positive volume");
-  }
-
   // T3. For paired facets, the one cell's opposite vertex is not strictly inside the other's circumsphere. With T1 and
   // T2, it is the same to ask this the other way round, so it is asked once.
   void check_neighbor(Facet facet) {
-    const Facet mate = triangulation_.mate(facet);
+    const Facet mate = t_.mate(facet);
     if (mate == kHull || mate < facet) return;
-    const int side = side_of_sphere(points_, cells_[facet / 4], triangulation_.opposite(mate));
+    const int side = side_of_sphere(points_, t_.cells[facet / 4], t_.opposite(mate));
     if (side < 0) reject("T3 " + name(facet / 4) + " has a vertex of " + name(mate / 4) + " inside its sphere");
     if (side > 0) return;
     is_cospherical_[facet / 4] |= static_cast<std::uint8_t>(1U << facet % 4);
@@ -98,32 +93,25 @@ class DelaunayProof {
   // T6. For two facets of B at a ridge, the second's opposite vertex is not strictly outside of the first.
   // In dimension 1, facets are points, and the one ridge is the empty set.
   void check_ridges() const {
-    std::map<Simplex, std::vector<std::pair<Facet, std::size_t>>> ridges;  // facet j, vertex k is not there
+    std::map<Simplex, std::vector<std::pair<Facet, Facet>>> ridges;  // of each: facets, and which vertex is not there
     for (const Facet facet : hull_) {
-      for (std::size_t k = 0; k < dimension_; ++k) ridges[ridge(facet, k).ids].emplace_back(facet, k);
+      for (Facet k = 0; k < t_.places() - 1; ++k) ridges[ridge(facet, k).ids].emplace_back(facet, k);
     }
     if (ridges.empty()) reject("T4 no facet is unpaired");
     for (const auto& [ids, facets] : ridges) {
       const auto [facet, k] = facets.front();
       const auto [other, l] = facets.back();
-      const std::string here = " at " + name(facet / 4);
-      if (facets.size() != 2) reject("T4 a ridge of the hull has not two facets" + here);
+      if (facets.size() != 2) reject("T4 " + name(facet / 4) + " has a ridge that is not of two facets of the hull");
       const bool is_odd = ridge(facet, k).is_odd != ridge(other, l).is_odd;
-      if (is_odd == (facet % 2 != other % 2)) reject("T4 facets of the hull are not oriented alike" + here);
-      if (side_of_facet(facet, triangulation_.vertices(other)[l]) < 0) reject("T6 the hull is not convex" + here);
+      if (is_odd == (facet % 2 != other % 2)) reject("T4 " + name(facet / 4) + " has a facet not oriented as the next");
+      if (side_of_facet(facet, t_.vertices(other)[l]) < 0)
+        reject("T6 " + name(facet / 4) + " is where the hull is not convex");
     }
   }
-  SortedIds ridge(Facet facet, std::size_t without) const {
-    auto ids = triangulation_.vertices(facet);
+  SortedIds ridge(Facet facet, Facet without) const {
+    Simplex ids = t_.vertices(facet);
     ids[without] = kNone;
     return SortedIds(ids);
-  }
-  int side_of_facet(Facet facet, Id x) const {
-    return points_.sign([&]<class N>() {
-      std::array<Vector<N>, 3> v{};
-      for (std::size_t k = 0; k < dimension_; ++k) v[k] = points_.vector<N>(x, triangulation_.vertices(facet)[k]);
-      return volume_from(facet, v);
-    });
   }
 
   // T5. o is strictly on the inner side of every facet of B.
@@ -136,11 +124,10 @@ class DelaunayProof {
   // The vectors from o to the facet's vertices, times d + 1.
   template <class N>
   std::array<Vector<N>, 3> from_middle(Facet facet) const {
-    const auto ids = triangulation_.vertices(facet);
+    const Simplex ids = t_.vertices(facet);
     std::array<Vector<N>, 3> v{};
-    for (std::size_t k = 0; k < dimension_; ++k) {
-      v[k] = points_.vector<N>(cells_[0][0], ids[k]);
-      for (std::size_t j = 1; j <= dimension_; ++j) v[k] = v[k] + points_.vector<N>(cells_[0][j], ids[k]);
+    for (std::size_t k = 0; ids[k] != kNone; ++k) {
+      for (Facet i = 0; i < t_.places(); ++i) v[k] = v[k] + points_.vector<N>(t_.cells[0][i], ids[k]);
     }
     return v;
   }
@@ -151,11 +138,11 @@ class DelaunayProof {
   void check_ray() const {
     for (const Facet facet : hull_) {
       bool is_met = facet != hull_[0];
-      for (std::size_t j = 0; j < dimension_ && is_met; ++j) {
+      for (std::size_t k = 0; k + 1 < t_.places() && is_met; ++k) {
         is_met = points_.sign([&]<class N>() {
           const auto to_first = from_middle<N>(hull_[0]);
           auto v = from_middle<N>(facet);
-          v[j] = to_first[0] + to_first[1] + to_first[2];
+          v[k] = to_first[0] + to_first[1] + to_first[2];
           return volume_from(facet, v);
         }) >= 0;
       }
@@ -166,8 +153,8 @@ class DelaunayProof {
   // T8. Every point is a vertex of a cell.
   void check_vertices() const {
     std::vector<bool> is_vertex(points_.row_count());
-    for (const Simplex& cell : cells_) {
-      for (std::size_t place = 0; place <= dimension_; ++place) is_vertex[cell[place]] = true;
+    for (const Simplex& cell : t_.cells) {
+      for (Facet i = 0; i < t_.places(); ++i) is_vertex[cell[i]] = true;
     }
     for (Id p = 0; p < points_.row_count(); ++p) {
       if (points_.is_id(p) && !is_vertex[p]) reject("T8 point " + std::to_string(p) + " is a vertex of no cell");
@@ -175,9 +162,7 @@ class DelaunayProof {
   }
 
   const Points& points_;
-  const Triangulation& triangulation_;
-  const std::vector<Simplex>& cells_;
-  const std::size_t dimension_ = static_cast<std::size_t>(triangulation_.dimension);  // not used below 1
+  const Triangulation& t_;
   int axis_ = 0;
   bool is_axis_reversed_ = false;
   std::vector<std::uint8_t> is_cospherical_;

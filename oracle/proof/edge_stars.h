@@ -9,7 +9,7 @@ struct Spoke {         // of an edge
   std::uint32_t cell;  // dimension 3: the cell between this spoke and the next, or kNone on the hull
 };
 struct EdgeStar {
-  Simplex edge;               // its two ends, ascending
+  Simplex edge;               // its ends ascend
   std::vector<Spoke> spokes;  // dimension 3: in order around the edge; the first one comes again after the last one
 };
 
@@ -25,10 +25,11 @@ void for_each_edge(const Triangulation& t, const Visit& visit) {
     star.spokes.clear();
     const std::uint32_t first = cell;
     do {
+      const Simplex& v = t.cells[cell];
+      const Id pivot = v[ahead];
       seen[cell] =
           static_cast<std::uint16_t>(seen[cell] | 1U << (4 * std::min(ahead, behind) + std::max(ahead, behind)));
-      star.spokes.push_back({t.cells[cell][behind], 4 * cell + ahead, cell});
-      const Id pivot = t.cells[cell][ahead];
+      star.spokes.push_back({v[behind], 4 * cell + ahead, cell});
       const Facet mate = t.mates[cell][behind];
       if (mate == kHull) {
         star.spokes.push_back({pivot, 4 * cell + behind, kNone});
@@ -36,15 +37,15 @@ void for_each_edge(const Triangulation& t, const Visit& visit) {
       }
       cell = mate / 4;
       ahead = mate % 4;
-      behind = static_cast<Facet>(std::find(t.cells[cell].begin(), t.cells[cell].end(), pivot) - t.cells[cell].begin());
+      for (behind = 0; t.cells[cell][behind] != pivot;) ++behind;
     } while (cell != first);
     return true;
   };
 
   for (std::uint32_t cell = 0; cell < t.cells.size(); ++cell) {
     const Simplex& v = t.cells[cell];
-    for (Facet i = 0; i < 4 && t.is_facet(i); ++i) {
-      for (Facet j = i + 1; j < 4 && t.is_facet(j); ++j) {
+    for (Facet i = 0; i < t.places(); ++i) {
+      for (Facet j = i + 1; j < t.places(); ++j) {
         star.edge = {std::min(v[i], v[j]), std::max(v[i], v[j]), kNone, kNone};
         star.spokes.clear();
         if (t.dimension == 2) {

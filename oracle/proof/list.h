@@ -80,12 +80,11 @@ class Comparison {
 
   // Compares these fields of a stationary point, which come in this order.
   void compare_fields(const StationaryPoint& point, const std::vector<std::string>& fields) {
-    using Z = BigInteger;
     const Simplex& v = point.simplex;
-    const auto [from_first, denominator] = v[1] == kNone ? Circumcenter<Z>{{}, {1}} : circumcenter<Z>(points_, v);
+    const auto [from_first, denominator] = circumcenter<BigInteger>(points_, v);
     const mpz_class twice = 2 * denominator.value;
     const int exponent = points_.grid_exponent();
-    const auto axis = [&](std::size_t k, const Z& part) {
+    const auto axis = [&](std::size_t k, const BigInteger& part) {
       return Fraction{points_.on_grid(v[0], k) * twice + part.value, twice, exponent};
     };
     const std::array<Fraction, 3> center{axis(0, from_first.x), axis(1, from_first.y), axis(2, from_first.z)};
@@ -93,8 +92,7 @@ class Comparison {
     for (const std::string& field : fields) {
       reader.need_key(field);
       if (field == "contact") {
-        const auto ids = stationary_.contact_ids().begin();
-        compare(field, text_of({ids + point.contact, ids + point.end}));
+        compare(field, text_of({point.contact.begin(), point.contact.end()}));
       } else if (field == "center") {
         compare(field, "[\"" + center[0].text() + "\",\"" + center[1].text() + "\",\"" + center[2].text() + "\"]");
       } else if (field == "squared_distance") {

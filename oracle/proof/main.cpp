@@ -38,7 +38,7 @@ static void prove(const std::string& scan, const std::string& certificate, const
     const bool is_json = JsonReader(*pairs).next() == '{';
     const std::string skipped = is_json ? compare_exact(*pairs, points, stationary, all) : "";
     if (!is_json) compare_rounded(*pairs, points, all);
-    std::cout << "proved: all " << all.pairs().size() << " pairs, dimensions 0 to 2, "
+    std::cout << "proved: all " << all.all().size() << " pairs, dimensions 0 to 2, "
               << (is_json ? "exactly\n" : "as nearest doubles\n");
     skip(*pairs, skipped);
   }

@@ -5,9 +5,9 @@
 //
 // The bound. Beside its value, a Filtered has the same polynomial of absolute values, with a plus for each minus: its
 // magnitude. Count roundings like this: a difference of coordinates has 1, a sum or difference 1 more than the greater
-// of its sides, a product 1 more than both together. Every polynomial here has at most 60. (Side of a triangle's sphere:
-// 20; order of two radii: 46.) So, where u = 2^-53, each monomial has a factor between (1-u)^60 and (1+u)^60 with it, in
-// the value as in the magnitude, and
+// of its sides, a product 1 more than both together. Every polynomial here has at most 60 (the order of two radii, which
+// has most, 46). So, where u = 2^-53, each monomial has a factor between (1-u)^60 and (1+u)^60 with it, in the value as
+// in the magnitude, and
 //     |value - exact value| <= ((1+u)^60 - 1) / (1-u)^60 * magnitude < 2^-47 * magnitude.
 // Coordinates are scaled by a power of two to less than 1, and all magnitudes are below 2^60. Scaling and products may
 // underflow, by at most 2^-1074 each time. There are fewer than 2^9 of these in a polynomial, and what follows in it
@@ -21,19 +21,21 @@
 #include "verdict.h"
 
 struct Filtered {
-  double value = 0, magnitude = 0;
+  double value, magnitude;
 
-  bool has_certain_sign() const { return std::fabs(value) > 0x1p-47 * magnitude + 0x1p-900; }
+  Filtered(double exact = 0) : Filtered(exact, std::fabs(exact)) {}
+  Filtered(double v, double m) : value(v), magnitude(m) {}
   friend Filtered operator+(Filtered a, Filtered b) { return {a.value + b.value, a.magnitude + b.magnitude}; }
   friend Filtered operator-(Filtered a, Filtered b) { return {a.value - b.value, a.magnitude + b.magnitude}; }
   friend Filtered operator*(Filtered a, Filtered b) { return {a.value * b.value, a.magnitude * b.magnitude}; }
+  bool has_certain_sign() const { return std::fabs(value) > 0x1p-47 * magnitude + 0x1p-900; }
 };
 using Integer128 = __int128;
 struct BigInteger {  // GMP's, with operations that return numbers, and not expressions
   mpz_class value;
 
-  friend BigInteger operator+(const BigInteger& a, const BigInteger& b) { return {a.value + b.value}; }
-  friend BigInteger operator-(const BigInteger& a, const BigInteger& b) { return {a.value - b.value}; }
+  friend BigInteger operator+(BigInteger a, const BigInteger& b) { return a.value += b.value, a; }
+  friend BigInteger operator-(BigInteger a, const BigInteger& b) { return a.value -= b.value, a; }
   friend BigInteger operator*(const BigInteger& a, const BigInteger& b) { return {a.value * b.value}; }
 };
 inline int sign_of(Filtered x) { return x.value < 0 ? -1 : 1; }  // if it is certain
@@ -61,6 +63,5 @@ inline void test_rounding() {
   const bool is_nearest = one + near_unit == 1 + 0x1p-52 && -one - near_unit == -1 - 0x1p-52;
   const bool is_once = one + above_half == 1 + 0x1p-52 && near_one * near_one - square == 0;
   const bool is_gradual = least_normal * half == 0x1p-1023;
-  if (!is_even_at_ties || !is_nearest || !is_once || !is_gradual)
-    cannot_decide("doubles are not rounded as it is needed");
+  if (!is_even_at_ties || !is_nearest || !is_once || !is_gradual) cannot_decide("doubles are not rounded as is needed");
 }

@@ -1,6 +1,8 @@
 // Compares a file of pairs with all pairs: .pers, their nearest doubles, or the JSON of flowcert persistence, exactly.
 #pragma once
 
+#include <tuple>
+
 #include "list.h"
 #include "pairs.h"
 
@@ -9,40 +11,21 @@ template <class Pair>
 void compare_pairs(std::vector<Pair> written, std::vector<Pair> expected) {
   std::sort(written.begin(), written.end());
   std::sort(expected.begin(), expected.end());
-  for (std::size_t k = 0; k < std::max(written.size(), expected.size()); ++k) {
-    if (k < written.size() && k < expected.size() && written[k] == expected[k]) continue;
-    const bool is_wrong = k == expected.size() || (k < written.size() && written[k] < expected[k]);
-    refute("pairs refuted: " + std::string(is_wrong ? "too many pairs " : "too few pairs ") +
-           (is_wrong ? written[k] : expected[k]).text());
-  }
+  if (written == expected) return;
+  std::vector<Pair> right;
+  std::set_intersection(written.begin(), written.end(), expected.begin(), expected.end(), std::back_inserter(right));
+  refute("pairs refuted: " + std::to_string(right.size()) + " of " + std::to_string(written.size()) +
+         " pairs are right, and all are " + std::to_string(expected.size()));
 }
 
-// The values are multiples of the grid's square.
-inline double nearest_value(const Points& points, const PersistencePairs& pairs, PersistencePairs::Rank rank) {
-  if (rank == 0) return 0;
-  if (rank == kNone) return HUGE_VAL;
-  const auto [center, denominator] = circumcenter<BigInteger>(points, pairs.simplex(rank));
-  const mpz_class twice = 2 * denominator.value;
-  return Fraction{dot(center, center).value, twice * twice, 2 * points.grid_exponent()}.nearest();
-}
-
-struct RoundedPair {
-  std::uint32_t dimension;
-  double birth, death;
-  auto operator<=>(const RoundedPair&) const = default;
-  std::string text() const {
-    return "of dimension " + std::to_string(dimension) + " from " + std::to_string(birth) + " to " +
-           std::to_string(death);
-  }
-};
+using RoundedPair = std::tuple<int, double, double>;  // dimension, birth and death
 inline bool read_pair(const char*& at, RoundedPair& pair) {
+  auto& [dimension, birth, death] = pair;
   if (*at < '0' || *at > '9' || at[1] != ' ') return false;
-  pair.dimension = static_cast<std::uint32_t>(*at - '0');
-  at += 2;
-  if (!read_decimal(at, pair.birth) || *at != ' ') return false;
-  ++at;
-  if (std::strncmp(at, "inf", 3) != 0) return read_decimal(at, pair.death) && std::isfinite(pair.death);
-  pair.death = HUGE_VAL;
+  dimension = *at - '0';
+  if (!read_decimal(at += 2, birth) || *at++ != ' ') return false;
+  if (std::strncmp(at, "inf", 3) != 0) return read_decimal(at, death) && std::isfinite(death);
+  death = HUGE_VAL;
   at += 3;
   return true;
 }
@@ -59,11 +42,15 @@ inline void compare_rounded(const std::string& path, const Points& points, const
     if (comment.empty() && !read_pair(at, written.emplace_back())) fail("not a dimension, a birth and a death");
     if (*at != '\n') fail("the line does not end");
   }
-  for (const auto& [dimension, birth, death] : pairs.pairs()) {
-    expected.push_back({dimension, nearest_value(points, pairs, birth), nearest_value(points, pairs, death)});
-    const bool is_beyond = std::isinf(expected.back().birth) || (death != kNone && std::isinf(expected.back().death));
-    if (is_beyond) cannot_decide(path + ": a squared distance is beyond the doubles");
-  }
+  const auto nearest = [&](Rank rank) {
+    if (rank == 0 || rank == kNone) return rank == 0 ? 0 : HUGE_VAL;
+    const auto [numerator, denominator] = pairs.squared_diameter(rank);
+    const double value = Fraction{numerator.value, denominator.value, 2 * points.grid_exponent() - 2}.nearest();
+    if (std::isinf(value)) cannot_decide(path + ": a squared distance is beyond the doubles");
+    return value;
+  };
+  for (const auto& [dimension, birth, death] : pairs.all())
+    expected.emplace_back(dimension, nearest(birth), nearest(death));
   compare_pairs(written, expected);
 }
 
@@ -80,17 +67,16 @@ inline std::string compare_exact(const std::string& path, const Points& points, 
     reader.need("{\"record\":");
     const std::string word = reader.word();
     const std::size_t record = std::strtoull(word.c_str(), nullptr, 10);
-    if (word != std::to_string(record) || record >= is_used.size() || stationary.all()[record].kind != index) {
-      file.refute_here("record " + word + " is no critical point of index " + std::to_string(index));
-    }
-    if (is_used[record]) file.refute_here("record " + word + " is in two pairs");
+    const bool is_right = word == std::to_string(record) && record < is_used.size() &&
+                          stationary.all()[record].kind == index && !is_used[record];
+    if (!is_right) file.refute_here("record " + word + " has another index, or is in another pair");
     is_used[record] = true;
     const StationaryPoint& point = stationary.all()[record];
     file.compare_fields(point, {"contact", "center", "center_double", "squared_distance", "squared_distance_double"});
     reader.need_key("");
     return pairs.rank_of(point.simplex);
   };
-  std::vector<PersistencePairs::Pair> written;
+  std::vector<PersistencePair> written;
   reader.need_key("pairs");
   reader.need("[");
   while (!reader.take(']')) {
@@ -110,6 +96,6 @@ inline std::string compare_exact(const std::string& path, const Points& points, 
   reader.need_key("");
   reader.need("\n");
   if (reader.next() != EOF) reader.fail("there is more than one object");
-  compare_pairs(written, pairs.pairs());
+  compare_pairs(written, pairs.all());
   return file.skipped;
 }

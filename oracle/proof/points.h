@@ -29,12 +29,11 @@ inline std::string bytes_of_file(const std::string& path) {
 
 // Reads [-]digits[.digits][e[+-]digits], with a digit beside the point, as the nearest double.
 inline bool read_decimal(const char*& at, double& x) {
-  const std::size_t length = std::strspn(at, "0123456789.e+-");  // no infinity, nothing hexadecimal
-  char* end = nullptr;
-  x = std::strtod(at, &end);
-  const bool is_decimal = length > 0 && *at != '+' && end == at + length;
-  at = end;
-  return is_decimal;
+  const char *const begin = at, *const end = begin + std::strspn(begin, "0123456789.e+-");  // no "inf", no "0x1"
+  char* end_of_number = nullptr;
+  x = std::strtod(begin, &end_of_number);
+  at = end_of_number;
+  return end != begin && *begin != '+' && at == end;
 }
 
 class Points {
@@ -53,6 +52,7 @@ class Points {
 
   // All coordinates are integers times 2^grid_exponent(), and these are the integers.
   int grid_exponent() const { return grid_exponent_; }
+  int grid_bits() const { return grid_bits_; }  // their number
   const mpz_class& on_grid(Id p, std::size_t axis) const { return on_grid_[p][axis]; }
 
   // The vector from p to q: in units of the grid for integers, scaled for Filtered.
@@ -60,7 +60,6 @@ class Points {
   Vector<N> vector(Id p, Id q) const {
     return {difference(N{}, p, q, 0), difference(N{}, p, q, 1), difference(N{}, p, q, 2)};
   }
-
   // The sign of a polynomial, a function of the number type alone. 128 bits hold what it computes if coordinates on the
   // grid are below 2^bits.
   template <class Polynomial>
@@ -75,28 +74,28 @@ class Points {
   static std::vector<Row> read(const std::string& path) {
     const std::string bytes = bytes_of_file(path);
     std::vector<Row> rows;
-    const auto fail = [&](std::size_t k, const char* why) {
-      cannot_decide(path + ":" + std::to_string(k) + ": " + why);
-    };
     if (path.ends_with(".xyz")) {
       for (const char* at = bytes.c_str(); at != bytes.c_str() + bytes.size();) {
-        if (!read_row(at, rows.emplace_back())) fail(rows.size(), "not three decimals with blanks between them");
+        if (!read_row(at, rows.emplace_back())) fail(path, rows.size(), "not three decimals with blanks between them");
       }
-    } else if (path.ends_with(".f64") && bytes.size() % 24 == 0) {
+    } else if (path.ends_with(".f64") && bytes.size() % sizeof(Row) == 0) {
       static_assert(std::endian::native == std::endian::little && sizeof(Row) == 24);
-      rows.resize(bytes.size() / 24);
+      rows.resize(bytes.size() / sizeof(Row));
       std::copy(bytes.begin(), bytes.end(), reinterpret_cast<char*>(rows.data()));
     } else {
       cannot_decide(path + ": neither .xyz nor .f64 with 24 bytes a row");
     }
     for (std::size_t k = 0; k < rows.size(); ++k) {
       for (double& x : rows[k]) {
-        if (!std::isfinite(x)) fail(k + 1, "a coordinate is not finite");
+        if (!std::isfinite(x)) fail(path, k + 1, "a coordinate is not finite");
         x += 0.0;  // -0 is 0
       }
     }
     if (rows.size() >= kNone) cannot_decide(path + ": too many rows");
     return rows;
+  }
+  [[noreturn]] static void fail(const std::string& path, std::size_t line, const char* why) {
+    cannot_decide(path + ":" + std::to_string(line) + ": " + why);
   }
   // Reads three decimals, with blanks between them, and the end of the line.
   static bool read_row(const char*& at, Row& row) {
@@ -113,15 +112,13 @@ class Points {
     id_of_row_.resize(rows.size());
     std::vector<Id> order(rows.size());
     std::iota(order.begin(), order.end(), Id{0});
-    const auto is_before = [&](Id a, Id b) { return rows[a] != rows[b] ? rows[a] < rows[b] : a < b; };
-    std::sort(order.begin(), order.end(), is_before);
+    std::stable_sort(order.begin(), order.end(), [&](Id a, Id b) { return rows[a] < rows[b]; });
     for (std::size_t k = 0; k < order.size(); ++k) {
       const bool is_new = k == 0 || rows[order[k - 1]] != rows[order[k]];
       id_of_row_[order[k]] = is_new ? order[k] : id_of_row_[order[k - 1]];
       if (is_new) ++point_count_;
     }
   }
-
   void find_grid(const std::vector<Row>& rows) {
     int low = 2000, high = -2000;  // all coordinates are multiples of 2^low, and below 2^high
     for (const Row& row : rows) {
@@ -150,15 +147,12 @@ class Points {
     return exponent - 53 + std::countr_zero(static_cast<std::uint64_t>(mantissa));
   }
 
-  Filtered difference(Filtered, Id p, Id q, std::size_t axis) const {
-    const double value = scaled_[q][axis] - scaled_[p][axis];
-    return {value, std::fabs(value)};
+  Filtered difference(Filtered, Id p, Id q, std::size_t k) const { return scaled_[q][k] - scaled_[p][k]; }
+  Integer128 difference(Integer128, Id p, Id q, std::size_t k) const {  // exact, because of so few bits
+    return static_cast<Integer128>((scaled_[q][k] - scaled_[p][k]) * static_cast<double>(1 << grid_bits_));
   }
-  Integer128 difference(Integer128, Id p, Id q, std::size_t axis) const {  // exact, because of so few bits
-    return static_cast<Integer128>((scaled_[q][axis] - scaled_[p][axis]) * static_cast<double>(1 << grid_bits_));
-  }
-  BigInteger difference(const BigInteger&, Id p, Id q, std::size_t axis) const {
-    return {on_grid_[q][axis] - on_grid_[p][axis]};
+  BigInteger difference(const BigInteger&, Id p, Id q, std::size_t k) const {
+    return {on_grid_[q][k] - on_grid_[p][k]};
   }
 
   std::vector<Id> id_of_row_;

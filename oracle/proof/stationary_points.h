@@ -1,25 +1,18 @@
-// Theorem 2: the stationary points that are no samples are, one to one, the simplices of the Delaunay triangulation whose
-// circumcentre is in their relative interior, with no link vertex strictly inside the sphere around it; R1 to R3.
+// Theorem 2: the stationary points that are no samples are, one to one, the simplices of the Delaunay triangulation
+// whose circumcentre is in their relative interior, with no link vertex strictly inside the sphere around it; R1 to R3.
 #pragma once
 
 #include <set>
 
 #include "edge_stars.h"
 
-enum Kind : std::uint8_t {
-  kSample,
-  kIndex1,
-  kIndex2,
-  kIndex3,
-  kRegular12,
-  kRegular13,
-  kRegular23
-};  // in the list's order
+enum Kind : std::uint8_t { kSample, kIndex1, kIndex2, kIndex3, kRegular12, kRegular13, kRegular23 };
 
 struct StationaryPoint {
   Kind kind;
-  std::array<Id, 4> simplex;   // whose circumcentre it is
-  std::uint32_t contact, end;  // places in contact_ids()
+  std::vector<Id> contact;  // ascending
+  Simplex simplex;          // whose circumcentre it is
+  auto operator<=>(const StationaryPoint&) const = default;
 };
 
 class StationaryPoints {
@@ -27,43 +20,39 @@ class StationaryPoints {
   // is_cospherical: by cell, as the proof of the triangulation returns it.
   StationaryPoints(const Points& points, const Triangulation& triangulation,
                    const std::vector<std::uint8_t>& is_cospherical)
-      : points_(points), triangulation_(triangulation), cells_(triangulation.cells) {
+      : points_(points), t_(triangulation), sphere_of_(t_.cells.size(), kNone) {
     for (Id p = 0; p < points.row_count(); ++p) {
       if (points.is_id(p)) add(kSample, {p, kNone, kNone, kNone}, {p});
     }
-    if (cells_.empty()) return;
     find_spheres(is_cospherical);
-    for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) find_at_cell(cell);
-    for_each_edge(triangulation, [this](const EdgeStar& star) { find_at_edge(star); });
-    std::sort(all_.begin(), all_.end(), [this](const StationaryPoint& a, const StationaryPoint& b) {
-      if (a.kind != b.kind) return a.kind < b.kind;
-      const Id* const ids = contact_ids_.data();
-      return std::lexicographical_compare(ids + a.contact, ids + a.end, ids + b.contact, ids + b.end);
-    });
+    for (std::uint32_t cell = 0; cell < t_.cells.size(); ++cell) find_at_cell(cell);
+    for_each_edge(t_, [this](const EdgeStar& star) { find_at_edge(star); });
+    std::sort(all_.begin(), all_.end());
   }
 
-  const std::vector<StationaryPoint>& all() const { return all_; }
-  const std::vector<Id>& contact_ids() const { return contact_ids_; }
+  const std::vector<StationaryPoint>& all() const { return all_; }      // in the order of a list
   const std::array<std::size_t, 7>& counts() const { return counts_; }  // by kind
 
  private:
-  // ---- Contact sets: all points on a sphere are the vertices of the cells that are connected by cospherical facets ----
+  void add(Kind kind, const Simplex& simplex, std::vector<Id> contact) {
+    all_.push_back({kind, std::move(contact), simplex});
+    ++counts_[kind];
+  }
 
+  // All points on a sphere are the vertices of the cells that are connected by cospherical facets.
   void find_spheres(const std::vector<std::uint8_t>& is_cospherical) {
-    sphere_of_.assign(cells_.size(), kNone);
-    for (std::uint32_t first = 0; first < cells_.size(); ++first) {
+    for (std::uint32_t first = 0; first < t_.cells.size(); ++first) {
       if (is_cospherical[first] == 0 || sphere_of_[first] != kNone) continue;
-      std::vector<std::uint32_t> found{first};
       const auto number = sphere_of_[first] = static_cast<std::uint32_t>(spheres_.size());
       std::vector<Id>& ids = spheres_.emplace_back();
-      for (std::size_t k = 0; k < found.size(); ++k) {
-        const std::uint32_t cell = found[k];
-        ids.insert(ids.end(), cells_[cell].begin(), cells_[cell].begin() + triangulation_.dimension + 1);
-        for (Facet i = 0; i < 4; ++i) {
-          const std::uint32_t next = triangulation_.mates[cell][i] / 4;
-          if ((is_cospherical[cell] >> i & 1) == 0 || sphere_of_[next] != kNone) continue;
+      std::vector<std::uint32_t> cells{first};
+      for (std::size_t k = 0; k < cells.size(); ++k) {
+        for (Facet i = 0; i < t_.places(); ++i) {
+          ids.push_back(t_.cells[cells[k]][i]);
+          const std::uint32_t next = t_.mates[cells[k]][i] / 4;
+          if ((is_cospherical[cells[k]] >> i & 1) == 0 || sphere_of_[next] != kNone) continue;
           sphere_of_[next] = number;
-          found.push_back(next);
+          cells.push_back(next);
         }
       }
       std::sort(ids.begin(), ids.end());
@@ -72,15 +61,15 @@ class StationaryPoints {
   }
   std::vector<Id> on_sphere(std::uint32_t cell) const {
     if (sphere_of_[cell] != kNone) return spheres_[sphere_of_[cell]];
-    std::vector<Id> ids(cells_[cell].begin(), cells_[cell].begin() + triangulation_.dimension + 1);
+    std::vector<Id> ids(t_.cells[cell].begin(), t_.cells[cell].begin() + t_.places());
     std::sort(ids.begin(), ids.end());
     return ids;
   }
   // The points on the circle through the vertices of a triangle of the cell.
   std::vector<Id> on_circle(std::uint32_t cell, const Simplex& v) const {
     std::vector<Id> ids = on_sphere(cell);
-    const auto is_off = [&](Id x) { return x != v[0] && x != v[1] && x != v[2] && !are_coplanar(v, x); };
-    if (triangulation_.dimension == 3) ids.erase(std::remove_if(ids.begin(), ids.end(), is_off), ids.end());
+    const auto is_off = [&](Id x) { return std::find(v.begin(), v.end(), x) == v.end() && !are_coplanar(v, x); };
+    if (t_.dimension == 3) ids.erase(std::remove_if(ids.begin(), ids.end(), is_off), ids.end());
     return ids;
   }
   bool are_coplanar(const Simplex& v, Id x) const {
@@ -89,47 +78,35 @@ class StationaryPoints {
     }) == 0;
   }
 
-  void add(Kind kind, const Simplex& simplex, const std::vector<Id>& contact) {
-    const auto begin = static_cast<std::uint32_t>(contact_ids_.size());
-    contact_ids_.insert(contact_ids_.end(), contact.begin(), contact.end());
-    all_.push_back({kind, simplex, begin, static_cast<std::uint32_t>(contact_ids_.size())});
-    ++counts_[kind];
-  }
-
   // R3. A tetrahedron with the circumcentre inside: index 3. The centre is on the inner side of a facet iff the opposite
   // vertex is outside of the smallest sphere through the facet.
   void find_at_cell(std::uint32_t cell) {
-    const int d = triangulation_.dimension;
-    if (d == 2) find_at_triangle(4 * cell + 3);  // with no opposite vertex
-    if (d < 3) return;
-    int outside = 0;
-    for (Facet facet = 4 * cell; facet != 4 * cell + 4; ++facet) {
-      if (outside == static_cast<int>(facet % 4) && side_of_opposite(facet) > 0) ++outside;
-      if (triangulation_.mate(facet) >= facet) find_at_triangle(facet);
+    if (t_.dimension == 2) find_at_triangle(4 * cell + 3);  // which has no opposite vertex
+    bool is_center_inside = t_.dimension == 3;
+    for (Facet facet = 4 * cell; facet < 4 * cell + 4 && t_.dimension == 3; ++facet) {
+      is_center_inside = is_center_inside && side_of_opposite(facet) > 0;
+      if (t_.mate(facet) > facet) find_at_triangle(facet);
     }
-    if (outside == 4) add(kIndex3, cells_[cell], on_sphere(cell));
+    if (is_center_inside) add(kIndex3, t_.cells[cell], on_sphere(cell));
   }
+  int side_of_opposite(Facet facet) const { return side_of_sphere(points_, t_.vertices(facet), t_.opposite(facet)); }
 
-  // R2. A triangle with the circumcentre inside, which is one with acute angles. The opposite vertices of the cells at it
-  // are its link vertices: with 0, 1, 2 of them on the sphere it is index 2; kind (2,3); index 3.
+  // R2. A triangle with the circumcentre inside, which is one with acute angles. The opposite vertices of the cells at
+  // it are its link vertices: with 0, 1, 2 of them on the sphere it is index 2; kind (2,3); index 3.
   void find_at_triangle(Facet facet) {
-    const Simplex v = triangulation_.vertices(facet);
+    const Simplex v = t_.vertices(facet);
     for (std::size_t k = 0; k < 3; ++k) {
       if (side_of_sphere(points_, {v[(k + 1) % 3], v[(k + 2) % 3], kNone, kNone}, v[k]) <= 0) return;
     }
-    std::uint32_t zero_cell = kNone;
-    int zeros = 0;
-    for (const Facet at : {facet, triangulation_.mate(facet)}) {
-      if (triangulation_.dimension == 2 || at == kHull) continue;
+    std::vector<std::uint32_t> zero_cells;
+    for (const Facet at : {facet, t_.mate(facet)}) {
+      if (t_.dimension == 2 || at == kHull) continue;
       const int side = side_of_opposite(at);
       if (side < 0) return;
-      if (side == 0) zero_cell = at / 4, ++zeros;
+      if (side == 0) zero_cells.push_back(at / 4);
     }
-    if (zeros == 0) return add(kIndex2, v, on_circle(facet / 4, v));
-    add(zeros == 1 ? kRegular23 : kIndex3, v, on_sphere(zero_cell));
-  }
-  int side_of_opposite(Facet facet) const {
-    return side_of_sphere(points_, triangulation_.vertices(facet), triangulation_.opposite(facet));
+    if (zero_cells.empty()) return add(kIndex2, v, on_circle(facet / 4, v));
+    add(zero_cells.size() == 1 ? kRegular23 : kIndex3, v, on_sphere(zero_cells[0]));
   }
 
   // R1. An edge. With a link vertices on its smallest sphere, and b tetrahedra that have all vertices on it:
@@ -137,42 +114,39 @@ class StationaryPoints {
   //   b > 0, a = b + 1: they make up a wedge. If its two sides are coplanar, kind (2,3), and if not, kind (1,3).
   void find_at_edge(const EdgeStar& star) {
     const Simplex& v = star.edge;
-    const std::size_t size = star.spokes.size();
-    std::vector<std::size_t> zeros;  // spokes
-    std::vector<bool> is_zero(size);
-    for (std::size_t k = 0; k < size; ++k) {
-      const int sign = side_of_sphere(points_, v, star.spokes[k].link);
-      if (sign < 0) return;
-      if (sign > 0) continue;
-      is_zero[k] = true;
-      zeros.push_back(k);
+    const std::vector<Spoke>& spokes = star.spokes;
+    std::vector<std::size_t> zeros;  // the places of a spokes
+    std::vector<bool> is_zero(spokes.size());
+    for (std::size_t k = 0; k < spokes.size(); ++k) {
+      const int side = side_of_sphere(points_, v, spokes[k].link);
+      if (side < 0) return;
+      if (side == 0) zeros.push_back(k), is_zero[k] = true;
     }
-    if (zeros.empty()) return add(kIndex1, v, {v[0], v[1]});
-    std::uint32_t zero_cell = kNone;
-    std::set<Id> sides;  // the link vertices of one of the b tetrahedra, and not of two
+    std::vector<std::uint32_t> zero_cells;  // the b tetrahedra
+    std::set<Id> sides;                     // link vertices of one of them, and not of two
     for (const std::size_t k : zeros) {
-      const std::size_t next = (k + 1) % size;
-      if (star.spokes[k].cell == kNone || !is_zero[next]) continue;
-      zero_cell = star.spokes[k].cell;
-      for (const Id x : {star.spokes[k].link, star.spokes[next].link}) {
+      const std::size_t next = (k + 1) % spokes.size();
+      if (spokes[k].cell == kNone || !is_zero[next]) continue;
+      zero_cells.push_back(spokes[k].cell);
+      for (const Id x : {spokes[k].link, spokes[next].link}) {
         if (!sides.insert(x).second) sides.erase(x);
       }
     }
-    if (zero_cell == kNone) {
-      const auto [link, triangle, cell] = star.spokes[zeros[0]];
-      add(zeros.size() == 1 ? kRegular12 : kIndex2, v, on_circle(triangle / 4, {v[0], v[1], link, kNone}));
-    } else {
-      const bool is_flat = sides.size() == 2 && are_coplanar({v[0], v[1], *sides.begin()}, *sides.rbegin());
-      add(sides.empty() ? kIndex3 : is_flat ? kRegular23 : kRegular13, v, on_sphere(zero_cell));
+    if (zeros.empty()) return add(kIndex1, v, {v[0], v[1]});
+    if (zero_cells.empty()) {
+      const Spoke& spoke = spokes[zeros[0]];
+      return add(zeros.size() == 1 ? kRegular12 : kIndex2, v,
+                 on_circle(spoke.triangle / 4, {v[0], v[1], spoke.link, kNone}));
     }
+    if (sides.empty()) return add(kIndex3, v, on_sphere(zero_cells[0]));
+    const bool is_flat = are_coplanar({v[0], v[1], *sides.begin(), kNone}, *sides.rbegin());
+    add(is_flat ? kRegular23 : kRegular13, v, on_sphere(zero_cells[0]));
   }
 
   const Points& points_;
-  const Triangulation& triangulation_;
-  const std::vector<Simplex>& cells_;
-  std::vector<std::vector<Id>> spheres_;  // those of more than one cell: the points on them
-  std::vector<std::uint32_t> sphere_of_;  // by cell; kNone where it is that of no other cell
+  const Triangulation& t_;
+  std::vector<std::uint32_t> sphere_of_;  // by cell; kNone where no other cell has its sphere
+  std::vector<std::vector<Id>> spheres_;  // the points on those of several cells
   std::vector<StationaryPoint> all_;
-  std::vector<Id> contact_ids_;
   std::array<std::size_t, 7> counts_{};
 };

@@ -7,7 +7,6 @@ struct Verdict {
   int exit_status;
   std::string line;
 };
-
 [[noreturn]] inline void reject(const std::string& what) {  // begins with the condition that does not hold
   throw Verdict{1, "certificate rejected: " + what + ", nothing is said of the list"};
 }
