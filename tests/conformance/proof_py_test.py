@@ -6,6 +6,7 @@ condition that is named; texts that cannot be decoded; forged lists; and small i
 triangulations and stationary points that are found here, by trying all sets of points.
 The environment's PROOF is another folder of proof.py, one of a mutant.
 """
+# CITES: FC-CERT-01 FC-CERT-02 FC-CERT-03 FC-CERT-04 FC-CERT-05 FC-FILE-48 FC-FILE-49 FC-FILE-50 FC-FILE-51
 import contextlib
 import hashlib
 import io

@@ -534,6 +534,7 @@ void add_writers(Calls& calls, const Made& m, const std::string& folder) {
   calls.add_writer("write_stationary_points", [&](std::ostream& out) {
     write_stationary_points(out, m.complex, {.polylines = true, .skeletons = true, .all = true});
   });
+  calls.add_writer("write_certificate", [&](std::ostream& out) { write_certificate(out, m.complex); });
   calls.add(
       "PersistenceDiagram::PersistenceDiagram", [&] { return PersistenceDiagram(m.complex, true); },
       [](const PersistenceDiagram& made) { return result_text(made.pairs()); });
