@@ -30,6 +30,7 @@ ARROWS = {
     "oracle": [],
     "oracle/fast": ["oracle"],
     "oracle/program": ["oracle/fast"],
+    "oracle/proof": [],
     "fuzz/inputs": ["src/geometry"],
     "fuzz/properties": ["fuzz/inputs", "oracle/fast", "src/io"],
     "fuzz/campaign": ["fuzz/properties", "oracle/program"],

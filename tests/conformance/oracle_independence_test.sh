@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The oracle shares nothing with the fast implementation: no source, no CGAL, no MPFR.
+# The oracle shares nothing with the fast implementation: no source, no CGAL, no MPFR. flowcert-proof shares nothing with
+# either, and needs GMP alone.
 #
 # usage: oracle_independence_test.sh BUILD_DIR      (a Ninja build in which the oracle is built)
 #        oracle_independence_test.sh --self-test
@@ -18,16 +19,21 @@ if [ "$1" = --self-test ]; then
   mkdir -p "$scratch/bin" "$scratch/${batch%/*}"
   cat >"$scratch/bin/ninja" <<'NINJA'
 #!/bin/sh
-if [ "$2" = commands ]; then
+if [ "$2 $3" = "commands flowcert-proof" ]; then
+  echo "c++ -lgmpxx -lgmp -o flowcert-proof"
+elif [ "$2" = commands ]; then
   echo "c++ -o oracle/CMakeFiles/flowcert_oracle.dir/all.cpp.o -c all.cpp"
   echo "c++ libflowcert_oracle.a -lgmp -o flowcert-oracle"
 else
   echo "oracle/CMakeFiles/flowcert_oracle.dir/all.cpp.o: #deps 1, deps mtime 1 (VALID)"
   cat read
+  echo "oracle/proof/CMakeFiles/flowcert_proof.dir/main.cpp.o: #deps 1, deps mtime 1 (VALID)"
+  cat read_for_proof
 fi
 NINJA
   chmod +x "$scratch/bin/ninja"
   touch "$scratch/gmp.h"
+  printf '    %s\n' "$root/oracle/proof/main.cpp" "$scratch/gmp.h" >"$scratch/build/read_for_proof"
   # says EXPECTED FILES…: what the test says of a build that reads these files.
   says() {
     local expected=$1 said
@@ -42,6 +48,10 @@ NINJA
   says 'the oracle includes .*/made.h, which is not its own' "$root"/oracle/{,fast/,program/}*.cpp \
     "$scratch/gmp.h" "$scratch/build/made.h"
   says 'is the oracle built' "$scratch/gmp.h"
+  printf '    %s\n' "$root/oracle/proof/main.cpp" "$root/oracle/orbit.h" >"$scratch/build/read_for_proof"
+  says 'flowcert-proof includes .*/orbit.h' "$root"/oracle/{,fast/,program/}*.cpp "$scratch/gmp.h"
+  printf '    %s\n' "$scratch/gmp.h" >"$scratch/build/read_for_proof"
+  says 'is flowcert-proof built' "$root"/oracle/{,fast/,program/}*.cpp "$scratch/gmp.h"
   echo "judges builds without precompiled headers, and finds what is read of src/, what is made and what is not built"
   exit 0
 fi
@@ -86,6 +96,20 @@ grep -q 'libflowcert_oracle\.a' <<<"$link_line" || fail "the link line does not 
 grep -q -- 'lgmp\|libgmp' <<<"$link_line" || fail "the link line does not name GMP: $link_line"
 if grep -qiE 'libflowcert\.|-lflowcert\b|cgal|mpfr' <<<"$link_line"; then
   fail "the oracle is linked with the fast implementation, CGAL or MPFR: $link_line"
+fi
+
+proof_files=$(ninja -t deps | awk '/^[^ ]/ { wanted = /flowcert_proof[.]dir/ && !/STALE/ } /^ / && wanted { print $1 }' |
+  sort -u | xargs -r realpath | sort -u)
+grep -qxF "$root/oracle/proof/main.cpp" <<<"$proof_files" || fail "no dependencies are known; is flowcert-proof built?"
+while read -r file; do
+  case "$file" in
+    "$root"/oracle/proof/*) ;;
+    "$root"/* | "$PWD"/* | */CGAL/* | */boost/* | */mpfr.h) fail "flowcert-proof includes $file, which is not its own" ;;
+  esac
+done <<<"$proof_files"
+link_line=$(ninja -t commands flowcert-proof | tail -n 1)
+if grep -qiE 'libflowcert|lflowcert|cgal|mpfr|boost' <<<"${link_line//flowcert_proof/}"; then
+  fail "flowcert-proof is linked with more than GMP: $link_line"
 fi
 
 [ "$failures" -eq 0 ] || exit 1
