@@ -7,7 +7,7 @@
 #include <random>
 #include <utility>
 
-#include "spheres.h"
+#include "points.h"
 
 using Facet = std::uint32_t;
 constexpr Facet kHull = kNone, kOpen = kNone - 1;  // instead of a mate: not paired; not known yet
@@ -48,9 +48,9 @@ class CertificateReader {
       : path_(path), points_(points), bytes_(bytes_of_file(path)) {}
 
   Triangulation read() {
-    const std::size_t count = read_header();
-    if (count > 0) read_cells(count);
-    if (at_ != bytes_.size()) fail("bytes are left over");
+    read_header();
+    if (count_ > 0) read_cells();
+    if (at_ != bytes_.size() || t_.cells.size() != count_) fail("it has not the cells that it says");
     return std::move(t_);
   }
   bool has_hash() const { return has_hash_; }
@@ -63,32 +63,28 @@ class CertificateReader {
     if (is_there) at_ += text.size();
     return is_there;
   }
-  // Returns the number of cells, which is no greater than that of bytes.
-  std::size_t read_header() {
+  void read_header() {
     if (!take("flowcert-certificate 1\npoints ")) fail("it does not begin like a certificate");
     if (!take(std::to_string(points_.row_count()) + "\n")) fail("it is not of these points");
     has_hash_ = take("sha256 ");
-    if (has_hash_) {
-      const std::size_t end = bytes_.find_first_not_of("0123456789abcdef", at_);
-      if (end != at_ + 64 || bytes_[end] != '\n') fail("its hash");
-      at_ = end + 1;
-    }
-    if (!take("dimension ")) fail("no dimension");
+    const std::size_t end = has_hash_ ? bytes_.find_first_not_of("0123456789abcdef", at_) : at_;
+    if (has_hash_ && end != at_ + 64) fail("its hash");
+    at_ = end;
+    if (!take(has_hash_ ? "\ndimension " : "dimension ")) fail("no dimension");
     while (!take(std::to_string(t_.dimension) + "\ncells ")) {
       if (++t_.dimension > 3) fail("its dimension");
     }
-    const std::size_t count = std::strtoull(bytes_.c_str() + at_, nullptr, 10);
-    if (!take(std::to_string(count) + "\n\n")) fail("its number of cells");
-    if ((count == 0) != (t_.dimension < 1)) fail("there are cells if and only if the dimension is at least 1");
-    if (count > bytes_.size() - at_ || count >= kOpen / 4) fail("it has not as many cells as it says");
-    return count;
+    count_ = std::strtoull(bytes_.c_str() + at_, nullptr, 10);
+    if (!take(std::to_string(count_) + "\n\n")) fail("its number of cells");
+    if ((count_ == 0) != (t_.dimension < 1)) fail("there are cells if and only if the dimension is at least 1");
+    if (count_ > bytes_.size() - at_ || count_ >= kOpen / 4) fail("it has not the cells that it says");  // a byte each
   }
 
   // The cells are glued one by one, each to a facet of an earlier one.
-  void read_cells(std::size_t count) {
-    t_.cells.reserve(count);
-    t_.mates.reserve(count);
-    slots_.assign(std::bit_ceil(4 * count + 4), kNone);  // there are at most 3 * count + 1 sets of vertices
+  void read_cells() {
+    t_.cells.reserve(count_);
+    t_.mates.reserve(count_);
+    slots_.assign(std::bit_ceil(4 * count_ + 4), kNone);  // there are at most 3 * count + 1 sets of vertices
     Simplex first{kNone, kNone, kNone, kNone};
     for (Facet i = 0; i < t_.places(); ++i) first[i] = id(number());
     enter(first, kNone);
@@ -97,20 +93,16 @@ class CertificateReader {
       open_.pop_back();
       if (t_.mate(facet) != kOpen) continue;
       const std::uint64_t code = number();
-      if (code == 0) {
-        t_.mate(facet) = kHull;
-      } else {
-        if (t_.cells.size() == count) fail("it has more cells than it says");
-        enter(cell_behind(facet, code - 1), facet);
-      }
+      if (code > 0 && t_.cells.size() == count_) fail("it has more cells than it says");
+      if (code > 0) enter(cell_behind(facet, code - 1), facet);
+      if (code == 0) t_.mate(facet) = kHull;
     }
-    if (t_.cells.size() != count) fail("it has fewer cells than it says");
   }
   std::uint64_t number() {  // 7 bits a byte, the low ones first
     std::uint64_t value = 0;
     for (int shift = 0; shift < 35 && at_ < bytes_.size(); shift += 7) {
-      const auto byte = static_cast<unsigned char>(bytes_[at_++]);
-      value |= static_cast<std::uint64_t>(byte & 127) << shift;
+      const auto byte = static_cast<std::uint8_t>(bytes_[at_++]);
+      value |= std::uint64_t{byte & 127U} << shift;
       if (byte < 128 && value <= std::uint64_t{1} << 33) return value;
       if (byte < 128) break;
     }
@@ -139,14 +131,13 @@ class CertificateReader {
     if (front != kNone) pair(front, begin + (t_.dimension == 1 ? 1 - front % 4 : front % 4));
     for (Facet facet = begin; facet < begin + t_.places(); ++facet) {
       if (t_.mate(facet) != kOpen) continue;
-      const SortedIds own(t_.vertices(facet));
-      Facet& other = first_facet(own.ids);
-      if (other == kNone) {
+      Facet& other = first_facet(SortedIds(t_.vertices(facet)).ids);
+      if (other != kNone) {
+        check_pair(facet, other);
+        pair(facet, other);
+      } else {
         other = facet;
         open_.push_back(facet);
-      } else {
-        check_pair(facet, own, other);
-        pair(facet, other);
       }
     }
   }
@@ -154,12 +145,12 @@ class CertificateReader {
 
   // T2. Facets that are paired have the same vertices, and their cells induce opposite orientations on them. No other
   // facet has these vertices.
-  void check_pair(Facet facet, const SortedIds& own, Facet other) const {
+  void check_pair(Facet facet, Facet other) const {
     const auto reject_here = [facet](const char* why) { reject("T2 cell " + std::to_string(facet / 4) + why); };
     if (t_.mate(other) == kHull) reject_here(" is the second one at a facet that was left unpaired");
     if (t_.mate(other) != kOpen) reject_here(" is the third one at a facet");
-    const bool other_is_odd = SortedIds(t_.vertices(other)).is_odd;
-    if ((own.is_odd == other_is_odd) == (facet % 2 == other % 2)) reject_here(" is on another one's side of a facet");
+    const bool is_odd = SortedIds(t_.vertices(facet)).is_odd != SortedIds(t_.vertices(other)).is_odd;
+    if (is_odd == (facet % 2 != other % 2)) reject_here(" is on the side of a facet where there is one");
   }
 
   // The first facet that has these vertices: a slot of a hash table, kNone if there is none yet. There is chance in the
@@ -179,7 +170,7 @@ class CertificateReader {
   const std::string& path_;
   const Points& points_;
   const std::string bytes_;
-  std::size_t at_ = 0;
+  std::size_t at_ = 0, count_ = 0;  // where in the bytes; of the cells
   bool has_hash_ = false;
   Triangulation t_;
   std::vector<Facet> open_, slots_;

@@ -18,21 +18,21 @@ class DelaunayProof {
     check_dimension();
     if (t_.dimension < 1) return {};
     for (std::uint32_t cell = 0; cell < t_.cells.size(); ++cell) {
-      if (volume_sign(cell) <= 0) reject("T1 " + name(cell) + " has no positive volume");
+      if (volume_sign(cell) <= 0) reject("T1 " + name(4 * cell) + " has no positive volume");
       for (Facet facet = 4 * cell; facet < 4 * cell + t_.places(); ++facet) {
         check_neighbor(facet);
         if (t_.mate(facet) == kHull) hull_.push_back(facet);
       }
     }
-    check_middle();
+    for (const Facet facet : hull_) check_middle(facet);
     check_ridges();
-    check_ray();
+    for (const Facet facet : hull_) check_ray(facet);
     check_vertices();
     return std::move(is_cospherical_);
   }
 
  private:
-  static std::string name(std::size_t cell) { return "cell " + std::to_string(cell); }
+  static std::string name(Facet facet) { return "cell " + std::to_string(facet / 4); }
 
   // The volume of as many vectors as the dimension, up to one positive factor. In dimension 2 or 1 one component of the
   // cross product, or of the vector, tells it, with one sign for all.
@@ -83,7 +83,7 @@ class DelaunayProof {
     const Facet mate = t_.mate(facet);
     if (mate == kHull || mate < facet) return;
     const int side = side_of_sphere(points_, t_.cells[facet / 4], t_.opposite(mate));
-    if (side < 0) reject("T3 " + name(facet / 4) + " has a vertex of " + name(mate / 4) + " inside its sphere");
+    if (side < 0) reject("T3 " + name(facet) + " has a vertex of " + name(mate) + " inside its sphere");
     if (side > 0) return;
     is_cospherical_[facet / 4] |= static_cast<std::uint8_t>(1U << facet % 4);
     is_cospherical_[mate / 4] |= static_cast<std::uint8_t>(1U << mate % 4);
@@ -101,11 +101,11 @@ class DelaunayProof {
     for (const auto& [ids, facets] : ridges) {
       const auto [facet, k] = facets.front();
       const auto [other, l] = facets.back();
-      if (facets.size() != 2) reject("T4 " + name(facet / 4) + " has a ridge that is not of two facets of the hull");
+      if (facets.size() != 2) reject("T4 " + name(facet) + " has a ridge that is not of two facets of the hull");
       const bool is_odd = ridge(facet, k).is_odd != ridge(other, l).is_odd;
-      if (is_odd == (facet % 2 != other % 2)) reject("T4 " + name(facet / 4) + " has a facet not oriented as the next");
+      if (is_odd == (facet % 2 != other % 2)) reject("T4 " + name(facet) + " has a facet not oriented as the next");
       if (side_of_facet(facet, t_.vertices(other)[l]) < 0)
-        reject("T6 " + name(facet / 4) + " is where the hull is not convex");
+        reject("T6 " + name(facet) + " is where the hull is not convex");
     }
   }
   SortedIds ridge(Facet facet, Facet without) const {
@@ -115,11 +115,9 @@ class DelaunayProof {
   }
 
   // T5. o is strictly on the inner side of every facet of B.
-  void check_middle() const {
-    for (const Facet facet : hull_) {
-      const int side = points_.sign([&]<class N>() { return volume_from(facet, from_middle<N>(facet)); });
-      if (side <= 0) reject("T5 " + name(facet / 4) + " has a hull facet that is not seen from the middle of cell 0");
-    }
+  void check_middle(Facet facet) const {
+    const int side = points_.sign([&]<class N>() { return volume_from(facet, from_middle<N>(facet)); });
+    if (side <= 0) reject("T5 " + name(facet) + " has a hull facet that is not seen from the middle of cell 0");
   }
   // The vectors from o to the facet's vertices, times d + 1.
   template <class N>
@@ -135,19 +133,17 @@ class DelaunayProof {
   // T7. The ray from o through the middle of one facet of B, the first, meets no other closed facet of B.
   // It meets those where its vector is a sum of the vectors to the vertices with coefficients that are not negative. By
   // Cramer's rule and T5, these have the signs of the volumes where the ray's vector replaces one of the others.
-  void check_ray() const {
-    for (const Facet facet : hull_) {
-      bool is_met = facet != hull_[0];
-      for (std::size_t k = 0; k + 1 < t_.places() && is_met; ++k) {
-        is_met = points_.sign([&]<class N>() {
-          const auto to_first = from_middle<N>(hull_[0]);
-          auto v = from_middle<N>(facet);
-          v[k] = to_first[0] + to_first[1] + to_first[2];
-          return volume_from(facet, v);
-        }) >= 0;
-      }
-      if (is_met) reject("T7 " + name(facet / 4) + " and " + name(hull_[0] / 4) + " have hull facets on one ray");
+  void check_ray(Facet facet) const {
+    for (std::size_t k = 0; k + 1 < t_.places(); ++k) {
+      const int coefficient = points_.sign([&]<class N>() {
+        const auto to_first = from_middle<N>(hull_[0]);
+        auto v = from_middle<N>(facet);
+        v[k] = to_first[0] + to_first[1] + to_first[2];
+        return volume_from(facet, v);
+      });
+      if (coefficient < 0 || facet == hull_[0]) return;
     }
+    reject("T7 " + name(facet) + " and " + name(hull_[0]) + " have hull facets on one ray");
   }
 
   // T8. Every point is a vertex of a cell.

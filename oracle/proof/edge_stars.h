@@ -18,6 +18,9 @@ template <class Visit>
 void for_each_edge(const Triangulation& t, const Visit& visit) {
   EdgeStar star;
   std::vector<std::uint16_t> seen(t.cells.size());  // by cell, one bit for the two places that an edge does not have
+  const auto bit = [](Facet i, Facet j) {
+    return static_cast<std::uint16_t>(1 << (4 * std::min(i, j) + std::max(i, j)));
+  };
 
   // Goes around the edge, from the cell towards its vertex at the place `ahead`. Returns whether it comes back, and does
   // not end at the hull. The cell and the places are then the last ones.
@@ -25,16 +28,12 @@ void for_each_edge(const Triangulation& t, const Visit& visit) {
     star.spokes.clear();
     const std::uint32_t first = cell;
     do {
-      const Simplex& v = t.cells[cell];
-      const Id pivot = v[ahead];
-      seen[cell] =
-          static_cast<std::uint16_t>(seen[cell] | 1U << (4 * std::min(ahead, behind) + std::max(ahead, behind)));
-      star.spokes.push_back({v[behind], 4 * cell + ahead, cell});
+      seen[cell] |= bit(ahead, behind);
+      star.spokes.push_back({t.cells[cell][behind], 4 * cell + ahead, cell});
+      const Id pivot = t.cells[cell][ahead];
       const Facet mate = t.mates[cell][behind];
-      if (mate == kHull) {
-        star.spokes.push_back({pivot, 4 * cell + behind, kNone});
-        return false;
-      }
+      if (mate == kHull) star.spokes.push_back({pivot, 4 * cell + behind, kNone});
+      if (mate == kHull) return false;
       cell = mate / 4;
       ahead = mate % 4;
       for (behind = 0; t.cells[cell][behind] != pivot;) ++behind;
@@ -42,25 +41,26 @@ void for_each_edge(const Triangulation& t, const Visit& visit) {
     return true;
   };
 
+  constexpr std::array<std::pair<Facet, Facet>, 6> kPlaces{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
   for (std::uint32_t cell = 0; cell < t.cells.size(); ++cell) {
-    const Simplex& v = t.cells[cell];
-    for (Facet i = 0; i < t.places(); ++i) {
-      for (Facet j = i + 1; j < t.places(); ++j) {
-        star.edge = {std::min(v[i], v[j]), std::max(v[i], v[j]), kNone, kNone};
-        star.spokes.clear();
-        if (t.dimension == 2) {
-          const Facet facet = 4 * cell + 3 - i - j, mate = t.mate(facet);
-          if (mate < facet) continue;
-          star.spokes.push_back({t.opposite(facet), 4 * cell + 3, kNone});
-          if (mate != kHull) star.spokes.push_back({t.opposite(mate), mate / 4 * 4 + 3, kNone});
-        } else if (t.dimension == 3) {
-          Facet other = i > 0 ? 0 : j > 1 ? 1 : 2, last = 6 - i - j - other;
-          if ((seen[cell] >> (4 * other + last) & 1) != 0) continue;
-          std::uint32_t at = cell;
-          if (!go_around(at, other, last)) go_around(at, last, other);
-        }
-        visit(star);
+    for (std::size_t k = 0; k < 6; ++k) {
+      const auto [i, j] = kPlaces[k];
+      if (j >= t.places()) continue;
+      star.edge = {std::min(t.cells[cell][i], t.cells[cell][j]), std::max(t.cells[cell][i], t.cells[cell][j]), kNone,
+                   kNone};
+      star.spokes.clear();
+      if (t.dimension == 2) {
+        const Facet facet = 4 * cell + 3 - i - j, mate = t.mate(facet);
+        if (mate < facet) continue;
+        star.spokes.push_back({t.opposite(facet), 4 * cell + 3, kNone});
+        if (mate != kHull) star.spokes.push_back({t.opposite(mate), mate / 4 * 4 + 3, kNone});
+      } else if (t.dimension == 3) {
+        auto [ahead, behind] = kPlaces[5 - k];  // the other two
+        if ((seen[cell] & bit(ahead, behind)) != 0) continue;
+        std::uint32_t last = cell;
+        if (!go_around(last, ahead, behind)) go_around(last, behind, ahead);
       }
+      visit(star);
     }
   }
 }

@@ -19,67 +19,54 @@ class JsonReader {
   std::size_t line() const { return line_; }
   int next() const { return next_; }  // the next character, or EOF
 
-  bool take(char c) {
-    if (next_ != c) return false;
-    pass();
-    return true;
-  }
+  bool take(char c) { return next_ == c && (pass(), true); }
   bool take(const std::string& text) {  // or a part of it, if it is not there
     return std::all_of(text.begin(), text.end(), [this](char c) { return take(c); });
   }
   void need(const std::string& text) {
     if (!take(text)) fail("cannot be decoded, " + text + " is due");
   }
-  // The next key of an object with what is around it, or nothing at its end.
+  // The next key of an object, with what is around it, or nothing at the object's end.
   std::string key() {
     if (take('}')) return "";
-    if (!take(',') && !take('{')) fail("cannot be decoded, a key is due");
+    if (!take(',')) need("{");
     std::string text = string();
     need(":");
     return text;
   }
   void need_key(const std::string& expected) {
     const std::string found = key();
-    if (found == expected) return;
-    if (found.empty()) fail("cannot be decoded, the key \"" + expected + "\" is missing");
-    fail("the key \"" + found + "\" is not proved" + (expected.empty() ? "" : ", \"" + expected + "\" is due"));
+    if (found != expected)
+      fail("the key \"" + found + "\" is not proved" + (expected.empty() ? "" : ", " + expected + " is due"));
   }
   std::string string() {
     need("\"");
     std::string text;
-    while (next_ >= ' ' && next_ != '"') {
-      if (next_ == '\\') text += pass();
-      text += pass();
-    }
+    while (next_ >= ' ' && next_ != '"') text += pass();
     need("\"");
     return text;
   }
-  // What a number is made of, or null is.
-  std::string word() {
+  std::string word() {  // a number or null
     std::string text;
     while (std::isalnum(next_) != 0 || next_ == '-' || next_ == '+' || next_ == '.') text += pass();
     return text;
   }
-  // Passes over a value that is not compared.
   void skip_value() {
     int depth = 0;
+    const auto is_end = [&] { return depth == 0 && (next_ == ',' || next_ == '}'); };
     do {
-      if (next_ == '"') {
-        string();
-      } else if (next_ < ' ') {
-        fail("cannot be decoded, a value has no end");
-      } else {
-        const char c = pass();
-        depth += (c == '[' || c == '{' ? 1 : 0) - (c == ']' || c == '}' ? 1 : 0);
-      }
-    } while (depth > 0 || (next_ != ',' && next_ != '}'));
+      if (next_ < ' ' || is_end()) fail("cannot be decoded, a value is due");
+      depth += (next_ == '[' || next_ == '{' ? 1 : 0) - (next_ == ']' || next_ == '}' ? 1 : 0);
+      const bool is_string = next_ == '"';
+      is_string ? void(string()) : void(pass());
+    } while (!is_end());
   }
 
  private:
   char pass() {
     const auto c = static_cast<char>(next_);
     if (c == '\n') ++line_;
-    next_ = std::getc(file_.get());
+    next_ = getc_unlocked(file_.get());
     if (next_ == EOF && std::ferror(file_.get()) != 0) fail("cannot be read");
     return c;
   }

@@ -1,15 +1,12 @@
 // Compares a list of stationary points, as flowcert compute -o writes it, with those that were found, in every field.
 #pragma once
 
-#include <map>
-
 #include "json_reader.h"
 #include "stationary_points.h"
 
-// numerator / denominator * 2^scale.
 struct Fraction {
   mpz_class numerator, denominator;
-  int scale;
+  int scale;  // of both: times 2^scale
 
   std::string text() const {  // in lowest terms
     mpq_class quotient(numerator, denominator);
@@ -23,14 +20,19 @@ struct Fraction {
     if (numerator == 0) return 0;
     mpz_class n = abs(numerator), d = abs(denominator);
     const auto bits = [](const mpz_class& z) { return static_cast<int>(mpz_sizeinbase(z.get_mpz_t(), 2)); };
-    // With units of 2^exponent, n / d has 53 or 54 bits before the point, or fewer if the double is subnormal.
+    // In units of 2^exponent, n / d has 53 or 54 bits before the point, or fewer if the double is subnormal.
     int exponent = std::max(bits(n) - bits(d) + scale - 53, -1074);
     (scale > exponent ? n : d) <<= static_cast<mp_bitcnt_t>(std::abs(scale - exponent));
-    if (bits(n / d) > 53) d *= 2, ++exponent;
-    mpz_class whole = n / d;
-    const int half = cmp(2 * (n % d), d);
+    mpz_class quotient, rest;
+    mpz_tdiv_qr(quotient.get_mpz_t(), rest.get_mpz_t(), n.get_mpz_t(), d.get_mpz_t());
+    std::uint64_t whole = quotient.get_ui();
+    int half = cmp(2 * rest, d);  // the sign of what is after the point, less one half
+    if (whole >> 53 != 0) {
+      half = whole % 2 == 0 ? -1 : sgn(rest);
+      whole /= 2, ++exponent;
+    }
     if (half > 0 || (half == 0 && whole % 2 == 1)) ++whole;
-    const double magnitude = std::ldexp(whole.get_d(), exponent);
+    const double magnitude = std::ldexp(static_cast<double>(whole), exponent);
     return sgn(numerator) == sgn(denominator) ? magnitude : -magnitude;
   }
 };
@@ -47,11 +49,20 @@ class Comparison {
   [[noreturn]] void refute_here(const std::string& what) const {
     refute(claim_ + " refuted: line " + std::to_string(reader.line()) + ": " + what);
   }
-  void compare(const std::string& what, const std::string& value) {
+  void compare(const std::string& key, const std::string& value) {
+    reader.need_key(key);
+    compare_value(key, value);
+  }
+  void compare_value(const std::string& key, const std::string& value) {
     const bool is_number = std::isdigit(static_cast<unsigned char>(value[0])) != 0;
     if (is_number ? reader.word() == value : reader.take(value)) return;
     if (reader.next() == EOF) reader.fail("cannot be decoded, it is cut short");
-    refute_here(what + " is not " + value);
+    refute_here(key + " is not " + value);
+  }
+  static std::string text_of(const std::vector<std::size_t>& numbers) {
+    std::string text = "[";
+    for (const std::size_t number : numbers) text.append(text == "[" ? "" : ",").append(std::to_string(number));
+    return text + "]";
   }
 
   // Passes over those of the keys that come, with their values, and over the next key, which is returned.
@@ -66,62 +77,48 @@ class Comparison {
   void compare_header(const std::string& format) {
     reader.need("{\"format\":\"" + format + "\",\"format_version\":1");
     const std::string key = skip(" version commit kernel compiler cgal input_sha256 left_out ");
-    if (key != "points") reader.fail("the key \"" + key + "\" is not proved, \"points\" is due");
-    compare(key, std::to_string(points_.row_count()));
-    reader.need_key("merged_duplicates");
+    if (key != "points") reader.fail("the key \"" + key + "\" is not proved, points is due");
+    compare_value(key, std::to_string(points_.row_count()));
     compare("merged_duplicates", std::to_string(points_.row_count() - points_.point_count()));
     const auto& n = stationary_.counts();
-    reader.need_key("critical");
     compare("critical", text_of({n[0], n[1], n[2], n[3]}));
-    reader.need_key("regular_stationary");
     compare("regular_stationary", "{\"1-2\":" + std::to_string(n[4]) + ",\"1-3\":" + std::to_string(n[5]) +
                                       ",\"2-3\":" + std::to_string(n[6]) + "}");
   }
 
   // Compares these fields of a stationary point, which come in this order.
   void compare_fields(const StationaryPoint& point, const std::vector<std::string>& fields) {
-    const Simplex& v = point.simplex;
-    const auto [from_first, denominator] = circumcenter<BigInteger>(points_, v);
+    const auto [from_first, denominator] = circumcenter<BigInteger>(points_, point.simplex);
     const mpz_class twice = 2 * denominator.value;
     const int exponent = points_.grid_exponent();
     const auto axis = [&](std::size_t k, const BigInteger& part) {
-      return Fraction{points_.on_grid(v[0], k) * twice + part.value, twice, exponent};
+      return Fraction{points_.on_grid(point.simplex[0], k) * twice + part.value, twice, exponent};
     };
     const std::array<Fraction, 3> center{axis(0, from_first.x), axis(1, from_first.y), axis(2, from_first.z)};
     const Fraction squared{dot(from_first, from_first).value, twice * twice, 2 * exponent};
     for (const std::string& field : fields) {
       reader.need_key(field);
-      if (field == "contact") {
-        compare(field, text_of({point.contact.begin(), point.contact.end()}));
-      } else if (field == "center") {
-        compare(field, "[\"" + center[0].text() + "\",\"" + center[1].text() + "\",\"" + center[2].text() + "\"]");
-      } else if (field == "squared_distance") {
-        compare(field, "\"" + squared.text() + "\"");
-      } else if (field == "center_double") {
-        for (std::size_t k = 0; k < 3; ++k) {
-          reader.need(k == 0 ? "[" : ",");
-          compare_double(field, center[k]);
-        }
-        reader.need("]");
-      } else {
-        compare_double(field, squared);
+      if (field == "contact") compare_value(field, text_of({point.contact.begin(), point.contact.end()}));
+      if (field == "squared_distance") compare_value(field, "\"" + squared.text() + "\"");
+      if (field == "squared_distance_double") compare_double(field, squared);
+      if (field != "center" && field != "center_double") continue;
+      for (std::size_t k = 0; k < 3; ++k) {
+        reader.need(k == 0 ? "[" : ",");
+        if (field == "center") compare_value(field, "\"" + center[k].text() + "\"");
+        if (field == "center_double") compare_double(field, center[k]);
       }
+      reader.need("]");
     }
-  }
-  static std::string text_of(const std::vector<std::size_t>& numbers) {
-    std::string text;
-    for (const std::size_t number : numbers) text += (text.empty() ? "[" : ",") + std::to_string(number);
-    return (text.empty() ? "[" : text) + "]";
   }
 
  private:
-  void compare_double(const std::string& what, const Fraction& exact) {
+  void compare_double(const std::string& key, const Fraction& exact) {
     const double expected = exact.nearest();
     const std::string word = reader.word();
     const char* at = word.c_str();
     double written = 0;
-    const bool is_right = std::isinf(expected) ? word == "null" : read_decimal(at, written) && written == expected;
-    if (!is_right || (*at != '\0' && word != "null")) refute_here(what + " is not the nearest double");
+    const bool is_right = read_decimal(at, written) && *at == '\0' && written == expected && std::isfinite(written);
+    if (!is_right && (word != "null" || std::isfinite(expected))) refute_here(key + " is not the nearest double");
   }
 
   const Points& points_;
@@ -129,42 +126,38 @@ class Comparison {
   const std::string claim_;
 };
 
-// Returns what of the list is proved, and what is not compared; line by line, and of its header.
-struct ListProof {
-  std::string fields, skipped;
-};
-inline ListProof compare_list(const std::string& path, const Points& points, const StationaryPoints& stationary) {
+// Returns the fields of records that are proved, and the keys of the header that are not compared.
+inline std::pair<std::string, std::string> compare_list(const std::string& path, const Points& points,
+                                                        const StationaryPoints& stationary) {
   Comparison list("list", path, points, stationary);
   JsonReader& reader = list.reader;
   list.compare_header("flowcert-stationary-points");
-  reader.need_key("classes");
-  std::map<Id, std::vector<std::size_t>> classes;
+  std::vector<std::vector<std::size_t>> classes(points.row_count());  // by id: the rows, if there are several
+  std::string text;
   for (Id row = 0; row < points.row_count(); ++row) {
     if (!points.is_id(row)) classes[points.id_of_row(row)].push_back(row);
   }
-  std::string text;
-  for (auto& [id, rows] : classes) {
-    rows.insert(rows.begin(), id);
-    text += (text.empty() ? "" : ",") + Comparison::text_of(rows);
+  for (Id id = 0; id < points.row_count(); ++id) {
+    if (classes[id].empty()) continue;
+    classes[id].insert(classes[id].begin(), id);
+    text += (text.empty() ? "" : ",") + Comparison::text_of(classes[id]);
   }
   list.compare("classes", "[" + text + "]");
   std::vector<std::string> fields{"contact", "center", "squared_distance", "center_double", "squared_distance_double"};
-  if (const std::string key = reader.key(); key == "centers") {
+  std::string key = reader.key();
+  if (key == "centers") {
     const std::string centers = reader.string();
-    if (centers != "double" && centers != "none") reader.fail("\"centers\" is neither \"double\" nor \"none\"");
+    if (centers != "double" && centers != "none") reader.fail("centers is neither double nor none");
     fields.erase(fields.begin() + 1, centers == "none" ? fields.end() : fields.begin() + 3);
-    reader.need_key("");
-  } else if (!key.empty()) {
-    reader.fail("the key \"" + key + "\" is not proved");
+    key = reader.key();
   }
+  if (!key.empty()) reader.fail("the key \"" + key + "\" is not proved");
   reader.need("\n");
 
   static const std::array<std::string, 7> kIndices{"0", "1", "2", "3", "[1,2]", "[1,3]", "[2,3]"};
   for (const StationaryPoint& point : stationary.all()) {
     if (reader.next() == EOF) list.refute_here("the list ends, and records are missing");
-    reader.need_key("index");
     list.compare("index", kIndices[point.kind]);
-    reader.need_key("kind");
     list.compare("kind", point.kind <= kIndex3 ? "\"critical\"" : "\"regular\"");
     list.compare_fields(point, fields);
     reader.need_key("");

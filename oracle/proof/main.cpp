@@ -1,5 +1,5 @@
-// flowcert-proof: proves or rejects a Delaunay certificate, and with it all stationary points of the points of a file, a
-// list of them, and persistence pairs. Prints what is proved.
+// flowcert-proof: proves or rejects a Delaunay certificate, and with it all stationary points of the points of a file,
+// a list of them, and persistence pairs. It prints what is proved.
 //
 // Exit status: 0, all that was asked is proved; 1, the certificate is rejected, or the list or the pairs refuted; 2, that
 // cannot be decided.
@@ -10,8 +10,9 @@
 #include "list.h"
 #include "pairs_file.h"
 
-static void prove(const std::string& scan, const std::string& certificate, const std::optional<std::string>& list,
-                  const std::optional<std::string>& pairs) {
+// Files that are not given are empty.
+static void prove(const std::string& scan, const std::string& certificate, const std::string& list,
+                  const std::string& pairs) {
   test_rounding();
   const Points points(scan);
   CertificateReader reader(certificate, points);
@@ -19,53 +20,45 @@ static void prove(const std::string& scan, const std::string& certificate, const
   const std::vector<std::uint8_t> is_cospherical = DelaunayProof(points, triangulation).prove();
   std::cout << "proved: these " << triangulation.cells.size() << " cells are a Delaunay triangulation of "
             << points.row_count() << " points (" << points.point_count() << " different ones)\n";
-  const StationaryPoints stationary(points, triangulation, is_cospherical);
-  const auto& n = stationary.counts();
-  std::cout << "proved: all " << stationary.all().size() << " stationary points: critical " << n[0] << " " << n[1]
+  std::optional<StationaryPoints> stationary(std::in_place, points, triangulation, is_cospherical);
+  const auto& n = stationary->counts();
+  std::cout << "proved: all " << stationary->all().size() << " stationary points: critical " << n[0] << " " << n[1]
             << " " << n[2] << " " << n[3] << ", regular 1-2: " << n[4] << ", 1-3: " << n[5] << ", 2-3: " << n[6]
             << "\n";
-  const auto skip = [](const std::string& file, const std::string& skipped) {
-    if (!skipped.empty()) std::cout << "not compared, header of " << file << ": " << skipped << "\n";
-  };
-  if (list) {
-    const auto [fields, skipped] = compare_list(*list, points, stationary);
-    std::cout << "proved, line by line of " << *list << ": " << fields << "\nproved, header of " << *list
+  if (!list.empty()) {
+    const auto [fields, skipped] = compare_list(list, points, *stationary);
+    std::cout << "proved, line by line of " << list << ": " << fields << "\nproved, header of " << list
               << ": points, merged_duplicates, critical, regular_stationary, classes\n";
-    skip(*list, skipped);
+    if (!skipped.empty()) std::cout << "not compared, header of " << list << ": " << skipped << "\n";
   }
-  if (pairs) {
+  if (!pairs.empty()) {
+    const bool is_json = JsonReader(pairs).next() == '{';
+    if (!is_json) stationary.reset();  // for memory
     const PersistencePairs all(points, triangulation);
-    const bool is_json = JsonReader(*pairs).next() == '{';
-    const std::string skipped = is_json ? compare_exact(*pairs, points, stationary, all) : "";
-    if (!is_json) compare_rounded(*pairs, points, all);
+    const std::string skipped = is_json ? compare_exact(pairs, points, *stationary, all) : "";
+    if (!is_json) compare_rounded(pairs, points, all);
     std::cout << "proved: all " << all.all().size() << " pairs, dimensions 0 to 2, "
               << (is_json ? "exactly\n" : "as nearest doubles\n");
-    skip(*pairs, skipped);
+    if (!skipped.empty()) std::cout << "not compared, header of " << pairs << ": " << skipped << "\n";
   }
-  std::cout << (reader.has_hash() ? "hash of the points not compared\n" : "no hash\n");
+  std::cout << (reader.has_hash() ? "hash of the points not compared\n" : "no hash\n") << std::flush;
+  if (!std::cout) cannot_decide("standard output cannot be written");
 }
 
 int main(int argc, char** argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  std::string pairs;
+  const auto option = std::find(words.begin(), words.end(), "--pairs");
+  if (words.end() - option > 1) {
+    pairs = option[1];
+    words.erase(option, option + 2);
+  }
   try {
-    std::vector<std::string> files;
-    std::optional<std::string> pairs;
-    for (int k = 1; k < argc; ++k) {
-      const std::string word = argv[k];
-      if (word == "--pairs" && k + 1 < argc && !pairs) {
-        pairs = argv[++k];
-      } else if (word.starts_with("-")) {
-        files.clear();
-        break;
-      } else {
-        files.push_back(word);
-      }
-    }
-    if (files.size() < 2 || files.size() > 3)
+    const bool has_option = std::any_of(words.begin(), words.end(), [](auto& word) { return word.starts_with("-"); });
+    if (words.size() < 2 || words.size() > 3 || has_option) {
       cannot_decide("usage: flowcert-proof SCAN CERTIFICATE [LIST] [--pairs P]");
-    const auto list = files.size() == 3 ? std::optional(files[2]) : std::nullopt;
-    prove(files[0], files[1], list, pairs);
-    std::cout.flush();
-    if (!std::cout) cannot_decide("standard output cannot be written");
+    }
+    prove(words[0], words[1], words.size() > 2 ? words[2] : "", pairs);
     return 0;
   } catch (const Verdict& verdict) {
     (verdict.exit_status == 1 ? std::cout : std::cerr) << verdict.line << std::endl;

@@ -5,10 +5,9 @@
 //
 // The bound. Beside its value, a Filtered has the same polynomial of absolute values, with a plus for each minus: its
 // magnitude. Count roundings like this: a difference of coordinates has 1, a sum or difference 1 more than the greater
-// of its sides, a product 1 more than both together. Every polynomial here has at most 60 (the order of two radii, which
-// has most, 46). So, where u = 2^-53, each monomial has a factor between (1-u)^60 and (1+u)^60 with it, in the value as
-// in the magnitude, and
-//     |value - exact value| <= ((1+u)^60 - 1) / (1-u)^60 * magnitude < 2^-47 * magnitude.
+// of its sides, a product 1 more than both together. No polynomial here has more than 60 (the order of two radii, with
+// most, has 46). So, where u = 2^-53, each monomial is multiplied by a factor between (1-u)^60 and (1+u)^60, in the
+// value as in the magnitude: |value - exact value| <= ((1+u)^60 - 1) / (1-u)^60 * magnitude < 2^-47 * magnitude.
 // Coordinates are scaled by a power of two to less than 1, and all magnitudes are below 2^60. Scaling and products may
 // underflow, by at most 2^-1074 each time. There are fewer than 2^9 of these in a polynomial, and what follows in it
 // multiplies each by less than 2^60: together they add less than 2^-900.

@@ -45,12 +45,14 @@ class PersistencePairs {
   // The squared diameter of the smallest sphere through the vertices.
   template <class N>
   static Ratio<N> squared_diameter(const Points& points, const Simplex& v) {
+    if (v[3] != kNone) {
+      const auto [center, denominator] = circumcenter<N>(points, v);
+      return {dot(center, center), denominator * denominator};
+    }
     const Vector<N> a = points.vector<N>(v[0], v[1]);
     if (v[2] == kNone) return {dot(a, a), N{1}};
-    const auto [center, denominator] = circumcenter<N>(points, v);
-    if (v[3] != kNone) return {dot(center, center), denominator * denominator};
-    const Vector<N> b = points.vector<N>(v[0], v[2]), c = points.vector<N>(v[1], v[2]);
-    return {dot(a, a) * dot(b, b) * dot(c, c), denominator};
+    const Vector<N> b = points.vector<N>(v[0], v[2]), c = points.vector<N>(v[1], v[2]), ab = cross(a, b);
+    return {dot(a, a) * dot(b, b) * dot(c, c), dot(ab, ab)};
   }
   Ratio<BigInteger> squared_diameter(Rank rank) const {
     return squared_diameter<BigInteger>(points_, values_[rank - 1]);
@@ -94,6 +96,7 @@ class PersistencePairs {
 
   // A simplex that has a value of its own.
   struct Own {
+    double quotient;  // about its value
     Ratio<Filtered> about;
     mutable std::unique_ptr<Ratio<BigInteger>> exact;  // once it was needed
     std::uint32_t size, number;
@@ -125,17 +128,26 @@ class PersistencePairs {
     for (const std::uint32_t size : {2, 3, 4}) {
       for (std::uint32_t number = 0; number < ranks_[size].size(); ++number) {
         if (ranks_[size][number] == kNone) continue;
-        own.push_back({{}, nullptr, size, number});
+        own.push_back({0, {}, nullptr, size, number});
         own.back().about = squared_diameter<Filtered>(points_, vertices(own.back()));
+        const double quotient = own.back().about.numerator.value / own.back().about.denominator.value;
+        if (std::isfinite(quotient)) own.back().quotient = quotient;
       }
     }
-    // By doubles it is nearly in order, often it is quite.
-    const auto quotient = [](const Own& a) {
-      return std::max(0.0, a.about.numerator.value / a.about.denominator.value);
-    };
-    std::sort(own.begin(), own.end(), [&](const Own& a, const Own& b) { return quotient(a) < quotient(b); });
+    std::sort(own.begin(), own.end(), [](const Own& a, const Own& b) { return a.quotient < b.quotient; });
+    // That is nearly the order. What is late is taken out, sorted, and merged again.
     const auto is_less = [this](const Own& a, const Own& b) { return compare(a, b) < 0; };
-    if (!std::is_sorted(own.begin(), own.end(), is_less)) std::sort(own.begin(), own.end(), is_less);
+    std::vector<Own> late;
+    std::size_t kept = 0;
+    for (Own& next : own) {
+      const bool is_late = kept > 0 && is_less(next, own[kept - 1]);
+      if (is_late) late.push_back(std::move(next));
+      if (!is_late && &next != &own[kept++]) own[kept - 1] = std::move(next);
+    }
+    std::sort(late.begin(), late.end(), is_less);
+    std::move(late.begin(), late.end(), own.begin() + kept);
+    std::inplace_merge(own.begin(), own.begin() + kept, own.end(), is_less);
+    values_.reserve(own.size());
     for (std::size_t k = 0; k < own.size(); ++k) {
       if (k == 0 || compare(own[k - 1], own[k]) != 0) values_.push_back(vertices(own[k]));
       ranks_[own[k].size][own[k].number] = static_cast<Rank>(values_.size());
@@ -149,10 +161,10 @@ class PersistencePairs {
   Rank cell_rank(Facet facet) const { return facet == kHull ? kNone : ranks_[4][facet / 4]; }
 
   static std::vector<std::uint32_t> in_order(const std::vector<Rank>& ranks) {
-    std::vector<std::uint32_t> order(ranks.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return ranks[a] < ranks[b]; });
-    return order;
+    std::vector<std::uint64_t> keys;  // in the upper half the rank
+    for (const Rank rank : ranks) keys.push_back(std::uint64_t{rank} << 32 | keys.size());
+    std::sort(keys.begin(), keys.end());
+    return {keys.begin(), keys.end()};
   }
   void add(std::uint32_t dimension, Rank birth, Rank death) {
     if (birth != death) all_.push_back({dimension, birth, death});
@@ -195,8 +207,8 @@ class PersistencePairs {
     std::vector<std::uint32_t> place(edges.size());
     for (std::uint32_t k = 0; k < edges.size(); ++k) place[edges[k]] = k;
     const auto boundary = [&](std::uint32_t triangle) {
-      Column column;
-      for (const std::uint32_t side : sides_[triangle]) column.push_back(place[side]);
+      const auto& [a, b, c] = sides_[triangle];
+      Column column{place[a], place[b], place[c]};
       std::sort(column.begin(), column.end());
       return column;
     };

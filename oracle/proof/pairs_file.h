@@ -44,8 +44,8 @@ inline void compare_rounded(const std::string& path, const Points& points, const
   }
   const auto nearest = [&](Rank rank) {
     if (rank == 0 || rank == kNone) return rank == 0 ? 0 : HUGE_VAL;
-    const auto [numerator, denominator] = pairs.squared_diameter(rank);
-    const double value = Fraction{numerator.value, denominator.value, 2 * points.grid_exponent() - 2}.nearest();
+    auto [n, d] = pairs.squared_diameter(rank);
+    const double value = Fraction{std::move(n.value), std::move(d.value), 2 * points.grid_exponent() - 2}.nearest();
     if (std::isinf(value)) cannot_decide(path + ": a squared distance is beyond the doubles");
     return value;
   };

@@ -1,4 +1,4 @@
-// The points of a file, and the vectors between them in each number type.
+// The points of a file, the vectors between them in each number type, and spheres through them.
 //
 // A row is known by its number, from 0. Rows of equal coordinates are one point, whose id is the first of them.
 #pragma once
@@ -7,7 +7,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -29,11 +28,9 @@ inline std::string bytes_of_file(const std::string& path) {
 
 // Reads [-]digits[.digits][e[+-]digits], with a digit beside the point, as the nearest double.
 inline bool read_decimal(const char*& at, double& x) {
-  const char *const begin = at, *const end = begin + std::strspn(begin, "0123456789.e+-");  // no "inf", no "0x1"
-  char* end_of_number = nullptr;
-  x = std::strtod(begin, &end_of_number);
-  at = end_of_number;
-  return end != begin && *begin != '+' && at == end;
+  const char *const begin = at, *const end = at + std::strspn(at, "0123456789.e+-");  // nothing else that strtod reads
+  x = std::strtod(begin, const_cast<char**>(&at));
+  return begin != end && *begin != '+' && at == end;
 }
 
 class Points {
@@ -74,9 +71,10 @@ class Points {
   static std::vector<Row> read(const std::string& path) {
     const std::string bytes = bytes_of_file(path);
     std::vector<Row> rows;
+    const auto fail = [&](std::size_t row, const char* why) { cannot_decide(path + ":" + std::to_string(row) + why); };
     if (path.ends_with(".xyz")) {
       for (const char* at = bytes.c_str(); at != bytes.c_str() + bytes.size();) {
-        if (!read_row(at, rows.emplace_back())) fail(path, rows.size(), "not three decimals with blanks between them");
+        if (!read_row(at, rows.emplace_back())) fail(rows.size(), ": not three decimals with blanks between");
       }
     } else if (path.ends_with(".f64") && bytes.size() % sizeof(Row) == 0) {
       static_assert(std::endian::native == std::endian::little && sizeof(Row) == 24);
@@ -87,22 +85,17 @@ class Points {
     }
     for (std::size_t k = 0; k < rows.size(); ++k) {
       for (double& x : rows[k]) {
-        if (!std::isfinite(x)) fail(path, k + 1, "a coordinate is not finite");
+        if (!std::isfinite(x)) fail(k + 1, ": a coordinate is not finite");
         x += 0.0;  // -0 is 0
       }
     }
     if (rows.size() >= kNone) cannot_decide(path + ": too many rows");
     return rows;
   }
-  [[noreturn]] static void fail(const std::string& path, std::size_t line, const char* why) {
-    cannot_decide(path + ":" + std::to_string(line) + ": " + why);
-  }
-  // Reads three decimals, with blanks between them, and the end of the line.
   static bool read_row(const char*& at, Row& row) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::size_t blanks = axis == 0 ? 0 : std::strspn(at, " \t");
-      at += blanks;
-      if ((axis > 0 && blanks == 0) || !read_decimal(at, row[axis])) return false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t blanks = k == 0 ? 0 : std::strspn(at, " \t");
+      if ((k > 0 && blanks == 0) || !read_decimal(at += blanks, row[k])) return false;
     }
     if (*at == '\r' && at[1] == '\n') ++at;
     return *at == '\n' ? (++at, true) : *at == '\0';
@@ -126,18 +119,15 @@ class Points {
         if (x != 0) low = std::min(low, lowest_bit(x)), high = std::max(high, std::ilogb(x) + 1);
       }
     }
-    if (low > high) low = high = 0;
     grid_exponent_ = low;
-    grid_bits_ = high - low;
+    grid_bits_ = std::max(0, high - low);
     scaled_.resize(rows.size());
     on_grid_.resize(rows.size());
     for (std::size_t p = 0; p < rows.size(); ++p) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double x = rows[p][axis];
-        scaled_[p][axis] = std::ldexp(x, -high);
-        if (x == 0) continue;
-        const int zeros = lowest_bit(x) - low;
-        on_grid_[p][axis] = mpz_class(std::ldexp(x, -low - zeros)) << static_cast<mp_bitcnt_t>(zeros);
+      for (std::size_t k = 0; k < 3; ++k) {
+        scaled_[p][k] = std::ldexp(rows[p][k], -high);
+        const int zeros = rows[p][k] == 0 ? 0 : lowest_bit(rows[p][k]) - low;
+        on_grid_[p][k] = mpz_class(std::ldexp(rows[p][k], -low - zeros)) << static_cast<mp_bitcnt_t>(zeros);
       }
     }
   }
@@ -161,3 +151,32 @@ class Points {
   std::vector<Row> scaled_;  // by a power of two, to less than 1
   std::vector<std::array<mpz_class, 3>> on_grid_;
 };
+
+using Simplex = std::array<Id, 4>;  // one to four ids, then kNone
+
+// The circumcentre in the affine hull of the simplex is v[0] + numerator / (2 denominator). The denominator is the
+// volume for four vertices, and positive for fewer.
+template <class N>
+struct Circumcenter {
+  Vector<N> numerator;
+  N denominator;
+};
+template <class N>
+Circumcenter<N> circumcenter(const Points& points, const Simplex& v) {
+  if (v[1] == kNone) return {{}, N{1}};
+  const auto a = points.vector<N>(v[0], v[1]);
+  if (v[2] == kNone) return {a, N{1}};
+  const auto b = points.vector<N>(v[0], v[2]), ab = cross(a, b);
+  if (v[3] == kNone) return {cross(b, ab) * dot(a, a) + cross(ab, a) * dot(b, b), dot(ab, ab)};
+  const auto c = points.vector<N>(v[0], v[3]);
+  return {cross(b, c) * dot(a, a) + cross(c, a) * dot(b, b) + ab * dot(c, c), dot(ab, c)};
+}
+
+// Negative, zero or positive as x is inside, on or outside, if the denominator is positive.
+inline int side_of_sphere(const Points& points, const Simplex& v, Id x) {
+  return points.sign([&]<class N>() {
+    const auto [numerator, denominator] = circumcenter<N>(points, v);
+    const auto y = points.vector<N>(v[0], x);
+    return denominator * dot(y, y) - dot(numerator, y);
+  });
+}

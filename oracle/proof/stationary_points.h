@@ -84,8 +84,8 @@ class StationaryPoints {
     if (t_.dimension == 2) find_at_triangle(4 * cell + 3);  // which has no opposite vertex
     bool is_center_inside = t_.dimension == 3;
     for (Facet facet = 4 * cell; facet < 4 * cell + 4 && t_.dimension == 3; ++facet) {
-      is_center_inside = is_center_inside && side_of_opposite(facet) > 0;
       if (t_.mate(facet) > facet) find_at_triangle(facet);
+      is_center_inside = is_center_inside && side_of_opposite(facet) > 0;
     }
     if (is_center_inside) add(kIndex3, t_.cells[cell], on_sphere(cell));
   }
@@ -115,28 +115,27 @@ class StationaryPoints {
   void find_at_edge(const EdgeStar& star) {
     const Simplex& v = star.edge;
     const std::vector<Spoke>& spokes = star.spokes;
-    std::vector<std::size_t> zeros;  // the places of a spokes
-    std::vector<bool> is_zero(spokes.size());
-    for (std::size_t k = 0; k < spokes.size(); ++k) {
-      const int side = side_of_sphere(points_, v, spokes[k].link);
+    std::vector<bool> is_zero;  // by spoke; a times
+    for (const Spoke& spoke : spokes) {
+      const int side = side_of_sphere(points_, v, spoke.link);
       if (side < 0) return;
-      if (side == 0) zeros.push_back(k), is_zero[k] = true;
+      is_zero.push_back(side == 0);
     }
+    const auto a = std::count(is_zero.begin(), is_zero.end(), true);
+    if (a == 0) return add(kIndex1, v, {v[0], v[1]});
     std::vector<std::uint32_t> zero_cells;  // the b tetrahedra
     std::set<Id> sides;                     // link vertices of one of them, and not of two
-    for (const std::size_t k : zeros) {
+    for (std::size_t k = 0; k < spokes.size(); ++k) {
       const std::size_t next = (k + 1) % spokes.size();
-      if (spokes[k].cell == kNone || !is_zero[next]) continue;
+      if (spokes[k].cell == kNone || !is_zero[k] || !is_zero[next]) continue;
       zero_cells.push_back(spokes[k].cell);
       for (const Id x : {spokes[k].link, spokes[next].link}) {
         if (!sides.insert(x).second) sides.erase(x);
       }
     }
-    if (zeros.empty()) return add(kIndex1, v, {v[0], v[1]});
     if (zero_cells.empty()) {
-      const Spoke& spoke = spokes[zeros[0]];
-      return add(zeros.size() == 1 ? kRegular12 : kIndex2, v,
-                 on_circle(spoke.triangle / 4, {v[0], v[1], spoke.link, kNone}));
+      const Spoke& spoke = spokes[std::find(is_zero.begin(), is_zero.end(), true) - is_zero.begin()];
+      return add(a == 1 ? kRegular12 : kIndex2, v, on_circle(spoke.triangle / 4, {v[0], v[1], spoke.link, kNone}));
     }
     if (sides.empty()) return add(kIndex3, v, on_sphere(zero_cells[0]));
     const bool is_flat = are_coplanar({v[0], v[1], *sides.begin(), kNone}, *sides.rbegin());
