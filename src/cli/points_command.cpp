@@ -40,7 +40,7 @@ void run_points(const PointsOptions& options) {
   io::write_whole_file(options.output, [&](std::ostream& out) { write_rows(out, input.points); });
   print_wrapped(input.name + " (" + input.file.format + ")");
   print_point_counts(input.points);
-  print_row("SHA-256", coordinates_sha256(input.points));
+  print_wrapped("SHA-256 " + coordinates_sha256(input.points));
 }
 
 }  // namespace
