@@ -39,6 +39,8 @@ const std::vector<FileValue>& file_values() {
       {{"compute --output"}, Completed::kFiles, {"jsonl"}},
       {{"locate --output"}, Completed::kFiles, {"txt", "jsonl"}},
       {{"persistence --output"}, Completed::kFiles, {"pers"}},
+      {{"points --output"}, Completed::kFiles, {"f64"}},
+      {{"--certificate"}, Completed::kFiles, {"fcert"}},
       {{"pockets --csv", "pockets --atoms-csv"}, Completed::kFiles, {"csv"}},
       {{"surface --output"}, Completed::kFiles, {"ply", "off"}},
       {{"view --output", "--report"}, Completed::kFiles, {"html"}},
