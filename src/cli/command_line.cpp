@@ -158,11 +158,11 @@ std::string overview(const CLI::App& app) {
   const DescribedCommand program = described(app);
   std::size_t width = 0;
   for (const DescribedCommand& command : program.commands) width = std::max(width, command.last_name().size());
-  std::string text = fmt::format("{}\n{} COMMAND --help tells more.\n", program.description, program.name);
+  std::string text = program.description + '\n';
   for (const auto& [group, lines] : lines_by_group(program, width + 4)) {
     if (group != kSetUpGroup) text += group + '\n' + lines;
   }
-  text += "Begin with\n";
+  text += fmt::format("Begin with these; {} COMMAND --help tells more\n", program.name);
   for (const std::string& example : program.footer.examples) text += fmt::format("  {}\n", example);
   return text;
 }

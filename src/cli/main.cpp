@@ -83,7 +83,7 @@ void add_commands(CLI::App& app, int& status) {
   add_help_command(app);
   add_shell_commands(app);
   put_in_group(app, "Compute", {"compute", "surface", "persistence", "pockets", "medial", "stats"});
-  put_in_group(app, "Look closely", {"view", "explain", "orbit", "locate", "help"});
+  put_in_group(app, "Look closely", {"view", "explain", "orbit", "locate", "points", "help"});
   put_in_group(app, "Judge claims and programs", {"check", "conformance", "generate", "verify", "fuzz"});
   put_absent_commands_apart(app);
 }

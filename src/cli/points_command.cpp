@@ -55,7 +55,9 @@ void add_points_command(CLI::App& app) {
                    "order of the rows, with repeated ones; -: to standard output")
       ->required()
       ->check(complaint_about_path);
-  command->footer("Examples:\n  flowcert points bunny.obj -o bunny.f64");
+  command->footer(
+      "Examples:\n  flowcert points bunny.obj -o bunny.f64\n"
+      "  flowcert points 1crn.pdb --atoms protein -o protein.f64");
   command->callback([options] { run_points(*options); });
 }
 

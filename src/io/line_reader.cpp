@@ -87,7 +87,9 @@ std::string_view without_comment(std::string_view line) {
   return line.substr(0, at);
 }
 
-bool is_integer(std::string_view text) { return !text.empty() && std::ranges::all_of(text, is_digit); }
+bool is_integer(std::string_view text) {
+  return !text.empty() && std::ranges::all_of(text, [](char c) { return is_digit(c); });
+}
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
