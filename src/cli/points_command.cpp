@@ -57,7 +57,7 @@ void add_points_command(CLI::App& app) {
       ->check(complaint_about_path);
   command->footer(
       "Examples:\n  flowcert points bunny.obj -o bunny.f64\n"
-      "  flowcert points 1crn.pdb --atoms protein -o protein.f64");
+      "  flowcert points bunny.obj -o - >bunny.f64");
   command->callback([options] { run_points(*options); });
 }
 
