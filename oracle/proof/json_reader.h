@@ -12,7 +12,6 @@ class JsonReader {
     if (file_ == nullptr) cannot_decide(path + ": cannot be read");
     pass();
   }
-
   [[noreturn]] void fail(const std::string& why) const {
     cannot_decide(path_ + ":" + std::to_string(line_) + ": " + why);
   }
@@ -24,7 +23,7 @@ class JsonReader {
     return std::all_of(text.begin(), text.end(), [this](char c) { return take(c); });
   }
   void need(const std::string& text) {
-    if (!take(text)) fail("cannot be decoded, " + text + " is due");
+    if (!take(text)) fail("cannot be decoded: it is not as flowcert writes it");
   }
   // The next key of an object, with what is around it, or nothing at the object's end.
   std::string key() {
@@ -34,10 +33,9 @@ class JsonReader {
     need(":");
     return text;
   }
-  void need_key(const std::string& expected) {
+  void need_key(const std::string& due) {
     const std::string found = key();
-    if (found != expected)
-      fail("the key \"" + found + "\" is not proved" + (expected.empty() ? "" : ", " + expected + " is due"));
+    if (found != due) fail("the key \"" + found + "\" is not proved" + (due.empty() ? "" : ", " + due + " is due"));
   }
   std::string string() {
     need("\"");
@@ -55,10 +53,9 @@ class JsonReader {
     int depth = 0;
     const auto is_end = [&] { return depth == 0 && (next_ == ',' || next_ == '}'); };
     do {
-      if (next_ < ' ' || is_end()) fail("cannot be decoded, a value is due");
+      if (next_ < ' ' || is_end()) fail("cannot be decoded: it is not as flowcert writes it");
       depth += (next_ == '[' || next_ == '{' ? 1 : 0) - (next_ == ']' || next_ == '}' ? 1 : 0);
-      const bool is_string = next_ == '"';
-      is_string ? void(string()) : void(pass());
+      next_ == '"' ? void(string()) : void(pass());
     } while (!is_end());
   }
 

@@ -6,7 +6,7 @@
 
 struct Fraction {
   mpz_class numerator, denominator;
-  int scale;  // of both: times 2^scale
+  int scale;  // of the quotient: times 2^scale
 
   std::string text() const {  // in lowest terms
     mpq_class quotient(numerator, denominator);
@@ -18,12 +18,11 @@ struct Fraction {
   // The nearest double, ties to even; infinite where that overflows.
   double nearest() const {
     if (numerator == 0) return 0;
-    mpz_class n = abs(numerator), d = abs(denominator);
+    mpz_class n = abs(numerator), d = abs(denominator), quotient, rest;
     const auto bits = [](const mpz_class& z) { return static_cast<int>(mpz_sizeinbase(z.get_mpz_t(), 2)); };
     // In units of 2^exponent, n / d has 53 or 54 bits before the point, or fewer if the double is subnormal.
     int exponent = std::max(bits(n) - bits(d) + scale - 53, -1074);
     (scale > exponent ? n : d) <<= static_cast<mp_bitcnt_t>(std::abs(scale - exponent));
-    mpz_class quotient, rest;
     mpz_tdiv_qr(quotient.get_mpz_t(), rest.get_mpz_t(), n.get_mpz_t(), d.get_mpz_t());
     std::uint64_t whole = quotient.get_ui();
     int half = cmp(2 * rest, d);  // the sign of what is after the point, less one half
@@ -38,25 +37,22 @@ struct Fraction {
 };
 
 // Compares what a file has of stationary points, value by value, as they come.
-class Comparison {
+class Comparison : public JsonReader {
  public:
   Comparison(std::string claim, const std::string& path, const Points& points, const StationaryPoints& stationary)
-      : reader(path), points_(points), stationary_(stationary), claim_(std::move(claim)) {}
-
-  JsonReader reader;
-  std::string skipped;  // names of keys
+      : JsonReader(path), points_(points), stationary_(stationary), claim_(std::move(claim)) {}
 
   [[noreturn]] void refute_here(const std::string& what) const {
-    refute(claim_ + " refuted: line " + std::to_string(reader.line()) + ": " + what);
+    refute(claim_ + " refuted: line " + std::to_string(line()) + ": " + what);
   }
   void compare(const std::string& key, const std::string& value) {
-    reader.need_key(key);
+    need_key(key);
     compare_value(key, value);
   }
   void compare_value(const std::string& key, const std::string& value) {
     const bool is_number = std::isdigit(static_cast<unsigned char>(value[0])) != 0;
-    if (is_number ? reader.word() == value : reader.take(value)) return;
-    if (reader.next() == EOF) reader.fail("cannot be decoded, it is cut short");
+    if (is_number ? word() == value : take(value)) return;
+    if (next() == EOF) fail("cannot be decoded, it is cut short");
     refute_here(key + " is not " + value);
   }
   static std::string text_of(const std::vector<std::size_t>& numbers) {
@@ -67,20 +63,22 @@ class Comparison {
 
   // Passes over those of the keys that come, with their values, and over the next key, which is returned.
   std::string skip(const std::string& keys) {
-    std::string key = reader.key();
-    for (; keys.find(" " + key + " ") != std::string::npos; key = reader.key()) {
-      reader.skip_value();
-      skipped += (skipped.empty() ? "" : ", ") + key;
+    std::string next_key = key();
+    for (; keys.find(" " + next_key + " ") != std::string::npos; next_key = key()) {
+      skip_value();
+      skipped_ += (skipped_.empty() ? "" : ", ") + next_key;
     }
-    return key;
+    return next_key;
   }
+  const std::string& skipped() const { return skipped_; }
+
   void compare_header(const std::string& format) {
-    reader.need("{\"format\":\"" + format + "\",\"format_version\":1");
-    const std::string key = skip(" version commit kernel compiler cgal input_sha256 left_out ");
-    if (key != "points") reader.fail("the key \"" + key + "\" is not proved, points is due");
-    compare_value(key, std::to_string(points_.row_count()));
-    compare("merged_duplicates", std::to_string(points_.row_count() - points_.point_count()));
+    need("{\"format\":\"" + format + "\",\"format_version\":1");
     const auto& n = stationary_.counts();
+    const std::string found = skip(" version commit kernel compiler cgal input_sha256 left_out ");
+    if (found != "points") fail("the key \"" + found + "\" is not proved, points is due");
+    compare_value(found, std::to_string(points_.row_count()));
+    compare("merged_duplicates", std::to_string(points_.row_count() - points_.point_count()));
     compare("critical", text_of({n[0], n[1], n[2], n[3]}));
     compare("regular_stationary", "{\"1-2\":" + std::to_string(n[4]) + ",\"1-3\":" + std::to_string(n[5]) +
                                       ",\"2-3\":" + std::to_string(n[6]) + "}");
@@ -97,74 +95,69 @@ class Comparison {
     const std::array<Fraction, 3> center{axis(0, from_first.x), axis(1, from_first.y), axis(2, from_first.z)};
     const Fraction squared{dot(from_first, from_first).value, twice * twice, 2 * exponent};
     for (const std::string& field : fields) {
-      reader.need_key(field);
+      need_key(field);
       if (field == "contact") compare_value(field, text_of({point.contact.begin(), point.contact.end()}));
       if (field == "squared_distance") compare_value(field, "\"" + squared.text() + "\"");
       if (field == "squared_distance_double") compare_double(field, squared);
       if (field != "center" && field != "center_double") continue;
       for (std::size_t k = 0; k < 3; ++k) {
-        reader.need(k == 0 ? "[" : ",");
+        need(k == 0 ? "[" : ",");
         if (field == "center") compare_value(field, "\"" + center[k].text() + "\"");
         if (field == "center_double") compare_double(field, center[k]);
       }
-      reader.need("]");
+      need("]");
     }
   }
 
  private:
   void compare_double(const std::string& key, const Fraction& exact) {
     const double expected = exact.nearest();
-    const std::string word = reader.word();
-    const char* at = word.c_str();
+    const std::string text = word();
+    const char* at = text.c_str();
     double written = 0;
     const bool is_right = read_decimal(at, written) && *at == '\0' && written == expected && std::isfinite(written);
-    if (!is_right && (word != "null" || std::isfinite(expected))) refute_here(key + " is not the nearest double");
+    if (!is_right && (text != "null" || std::isfinite(expected))) refute_here(key + " is not the nearest double");
   }
 
   const Points& points_;
   const StationaryPoints& stationary_;
-  const std::string claim_;
+  std::string claim_, skipped_;
 };
 
 // Returns the fields of records that are proved, and the keys of the header that are not compared.
-inline std::pair<std::string, std::string> compare_list(const std::string& path, const Points& points,
-                                                        const StationaryPoints& stationary) {
+inline std::array<std::string, 2> compare_list(const std::string& path, const Points& points,
+                                               const StationaryPoints& stationary) {
   Comparison list("list", path, points, stationary);
-  JsonReader& reader = list.reader;
   list.compare_header("flowcert-stationary-points");
-  std::vector<std::vector<std::size_t>> classes(points.row_count());  // by id: the rows, if there are several
-  std::string text;
-  for (Id row = 0; row < points.row_count(); ++row) {
-    if (!points.is_id(row)) classes[points.id_of_row(row)].push_back(row);
+  std::vector<std::vector<std::size_t>> classes(points.row_count());  // by id
+  for (Id row = 0; row < points.row_count(); ++row) classes[points.id_of_row(row)].push_back(row);
+  std::string several;
+  for (const auto& rows : classes) {
+    if (rows.size() > 1) several.append(several.empty() ? "" : ",").append(Comparison::text_of(rows));
   }
-  for (Id id = 0; id < points.row_count(); ++id) {
-    if (classes[id].empty()) continue;
-    classes[id].insert(classes[id].begin(), id);
-    text += (text.empty() ? "" : ",") + Comparison::text_of(classes[id]);
-  }
-  list.compare("classes", "[" + text + "]");
+  list.compare("classes", "[" + several + "]");
   std::vector<std::string> fields{"contact", "center", "squared_distance", "center_double", "squared_distance_double"};
-  std::string key = reader.key();
+  std::string key = list.key();
   if (key == "centers") {
-    const std::string centers = reader.string();
-    if (centers != "double" && centers != "none") reader.fail("centers is neither double nor none");
+    const std::string centers = list.string();
+    if (centers != "double" && centers != "none") list.fail("centers is neither double nor none");
     fields.erase(fields.begin() + 1, centers == "none" ? fields.end() : fields.begin() + 3);
-    key = reader.key();
+    key = list.key();
   }
-  if (!key.empty()) reader.fail("the key \"" + key + "\" is not proved");
-  reader.need("\n");
+  if (!key.empty()) list.fail("the key \"" + key + "\" is not proved");
+  list.need("\n");
 
   static const std::array<std::string, 7> kIndices{"0", "1", "2", "3", "[1,2]", "[1,3]", "[2,3]"};
   for (const StationaryPoint& point : stationary.all()) {
-    if (reader.next() == EOF) list.refute_here("the list ends, and records are missing");
+    if (list.next() == EOF) list.refute_here("the list ends, and records are missing");
     list.compare("index", kIndices[point.kind]);
     list.compare("kind", point.kind <= kIndex3 ? "\"critical\"" : "\"regular\"");
     list.compare_fields(point, fields);
-    reader.need_key("");
-    reader.need("\n");
+    list.need_key("");
+    list.need("\n");
   }
-  if (reader.next() != EOF) list.refute_here("there are more records than stationary points");
+  if (list.next() != EOF) list.refute_here("there are more records than stationary points");
   std::string proved = "index, kind";
   for (const std::string& field : fields) proved += ", " + field;
-  return {proved, list.skipped};
+  return {proved, list.skipped()};
 }

@@ -19,44 +19,30 @@ struct PersistencePair {
   auto operator<=>(const PersistencePair&) const = default;
 };
 
+template <class N>
+struct Ratio {
+  N numerator, denominator;
+};
+template <class N>
+N difference(const Ratio<N>& a, const Ratio<N>& b) {  // times both denominators
+  return a.numerator * b.denominator - b.numerator * a.denominator;
+}
+
 class PersistencePairs {
  public:
   PersistencePairs(const Points& points, const Triangulation& triangulation) : points_(points), t_(triangulation) {
-    if (points.point_count() > 0) all_.push_back({0, 0, kNone});
     find_simplices();
     find_ranks();
+    if (points.point_count() > 0) add(0, 0, kNone);
     const std::vector<std::uint32_t> edges = in_order(ranks_[2]), triangles = in_order(ranks_[3]);
     pair_edges(edges);
-    is_paired_.resize(triangles_.size());
-    if (t_.dimension == 3) pair_cells(triangles);
-    pair_triangles(edges, triangles);
-    std::sort(all_.begin(), all_.end());
+    std::vector<bool> is_paired(triangles.size());  // in dimension 2
+    if (t_.dimension == 3) pair_cells(triangles, is_paired);
+    pair_triangles(edges, triangles, is_paired);
   }
 
   const std::vector<PersistencePair>& all() const { return all_; }
-
-  template <class N>
-  struct Ratio {
-    N numerator, denominator;
-    friend N difference(const Ratio& a, const Ratio& b) {  // times both denominators
-      return a.numerator * b.denominator - b.numerator * a.denominator;
-    }
-  };
-  // The squared diameter of the smallest sphere through the vertices.
-  template <class N>
-  static Ratio<N> squared_diameter(const Points& points, const Simplex& v) {
-    if (v[3] != kNone) {
-      const auto [center, denominator] = circumcenter<N>(points, v);
-      return {dot(center, center), denominator * denominator};
-    }
-    const Vector<N> a = points.vector<N>(v[0], v[1]);
-    if (v[2] == kNone) return {dot(a, a), N{1}};
-    const Vector<N> b = points.vector<N>(v[0], v[2]), c = points.vector<N>(v[1], v[2]), ab = cross(a, b);
-    return {dot(a, a) * dot(b, b) * dot(c, c), dot(ab, ab)};
-  }
-  Ratio<BigInteger> squared_diameter(Rank rank) const {
-    return squared_diameter<BigInteger>(points_, values_[rank - 1]);
-  }
+  Ratio<BigInteger> squared_diameter(Rank rank) const { return squared_diameter<BigInteger>(values_[rank - 1]); }
   // Of the smallest sphere through the vertices, which is that of some simplex.
   Rank rank_of(const Simplex& v) const {
     if (v[1] == kNone) return 0;
@@ -67,11 +53,17 @@ class PersistencePairs {
  private:
   void find_simplices() {
     std::vector<std::uint32_t> number_of(4 * t_.cells.size());  // by facet: of the triangle
+    const auto is_opposite_outside = [this](Facet facet) {
+      if (t_.dimension == 2 || facet == kHull) return true;
+      return side_of_sphere(points_, t_.vertices(facet), t_.opposite(facet)) > 0;
+    };
     for (Facet facet = 0; facet < number_of.size(); ++facet) {
-      if (t_.dimension == 3 ? t_.mate(facet) < facet : t_.dimension < 2 || facet % 4 != 3) continue;
+      const Facet mate = t_.dimension == 3 ? t_.mate(facet) : kHull;
+      if (mate < facet || t_.dimension == 1 || (t_.dimension == 2 && facet % 4 != 3)) continue;
       number_of[facet] = static_cast<std::uint32_t>(triangles_.size());
-      if (t_.dimension == 3 && t_.mate(facet) != kHull) number_of[t_.mate(facet)] = number_of[facet];
+      if (mate != kHull) number_of[mate] = number_of[facet];
       triangles_.push_back(facet);
+      ranks_[3].push_back(is_opposite_outside(facet) && is_opposite_outside(mate) ? 0 : kNone);
     }
     sides_.resize(triangles_.size(), {kNone, kNone, kNone});
     for_each_edge(t_, [&](const EdgeStar& star) {
@@ -84,41 +76,40 @@ class PersistencePairs {
       edges_.push_back(star.edge);
       ranks_[2].push_back(is_outside ? 0 : kNone);
     });
-    for (const Facet facet : triangles_) {
-      ranks_[3].push_back(is_opposite_outside(facet) && is_opposite_outside(t_.mate(facet)) ? 0 : kNone);
-    }
     ranks_[4].resize(t_.dimension == 3 ? t_.cells.size() : 0);
   }
-  bool is_opposite_outside(Facet facet) const {
-    if (t_.dimension == 2 || facet == kHull) return true;
-    return side_of_sphere(points_, t_.vertices(facet), t_.opposite(facet)) > 0;
-  }
 
-  // A simplex that has a value of its own.
-  struct Own {
-    double quotient;  // about its value
+  // The squared diameter of the smallest sphere through the vertices.
+  template <class N>
+  Ratio<N> squared_diameter(const Simplex& v) const {
+    if (v[3] != kNone) {
+      const auto [center, denominator] = circumcenter<N>(points_, v);
+      return {dot(center, center), denominator * denominator};
+    }
+    const Vector<N> a = points_.vector<N>(v[0], v[1]);
+    if (v[2] == kNone) return {dot(a, a), N{1}};
+    const Vector<N> b = points_.vector<N>(v[0], v[2]), c = points_.vector<N>(v[1], v[2]), ab = cross(a, b);
+    return {dot(a, a) * dot(b, b) * dot(c, c), dot(ab, ab)};
+  }
+  int compare(const Simplex& v, const Simplex& w) const {
+    const auto polynomial = [&]<class N>() { return difference(squared_diameter<N>(v), squared_diameter<N>(w)); };
+    return points_.sign(polynomial, 6);
+  }
+  struct Own {  // a simplex that has a value of its own
     Ratio<Filtered> about;
     mutable std::unique_ptr<Ratio<BigInteger>> exact;  // once it was needed
     std::uint32_t size, number;
   };
   Simplex vertices(const Own& own) const {
-    return own.size == 4   ? t_.cells[own.number]
-           : own.size == 3 ? t_.vertices(triangles_[own.number])
-                           : edges_[own.number];
-  }
-  int compare(const Simplex& v, const Simplex& w) const {
-    const auto polynomial = [&]<class N>() {
-      return difference(squared_diameter<N>(points_, v), squared_diameter<N>(points_, w));
-    };
-    return points_.sign(polynomial, 6);
+    if (own.size == 4) return t_.cells[own.number];
+    return own.size == 3 ? t_.vertices(triangles_[own.number]) : edges_[own.number];
   }
   int compare(const Own& a, const Own& b) const {
     const Filtered about = difference(a.about, b.about);
     if (about.has_certain_sign()) return sign_of(about);
     if (points_.grid_bits() <= 6) return compare(vertices(a), vertices(b));
-    for (const Own* own : {&a, &b}) {
-      if (!own->exact)
-        own->exact = std::make_unique<Ratio<BigInteger>>(squared_diameter<BigInteger>(points_, vertices(*own)));
+    for (const auto* x : {&a, &b}) {
+      if (!x->exact) x->exact = std::make_unique<Ratio<BigInteger>>(squared_diameter<BigInteger>(vertices(*x)));
     }
     return sign_of(difference(*a.exact, *b.exact));
   }
@@ -128,81 +119,71 @@ class PersistencePairs {
     for (const std::uint32_t size : {2, 3, 4}) {
       for (std::uint32_t number = 0; number < ranks_[size].size(); ++number) {
         if (ranks_[size][number] == kNone) continue;
-        own.push_back({0, {}, nullptr, size, number});
-        own.back().about = squared_diameter<Filtered>(points_, vertices(own.back()));
-        const double quotient = own.back().about.numerator.value / own.back().about.denominator.value;
-        if (std::isfinite(quotient)) own.back().quotient = quotient;
+        Own& next = own.emplace_back(Own{{}, nullptr, size, number});
+        next.about = squared_diameter<Filtered>(vertices(next));
       }
     }
-    std::sort(own.begin(), own.end(), [](const Own& a, const Own& b) { return a.quotient < b.quotient; });
-    // That is nearly the order. What is late is taken out, sorted, and merged again.
-    const auto is_less = [this](const Own& a, const Own& b) { return compare(a, b) < 0; };
-    std::vector<Own> late;
-    std::size_t kept = 0;
-    for (Own& next : own) {
-      const bool is_late = kept > 0 && is_less(next, own[kept - 1]);
-      if (is_late) late.push_back(std::move(next));
-      if (!is_late && &next != &own[kept++]) own[kept - 1] = std::move(next);
-    }
-    std::sort(late.begin(), late.end(), is_less);
-    std::move(late.begin(), late.end(), own.begin() + kept);
-    std::inplace_merge(own.begin(), own.begin() + kept, own.end(), is_less);
+    std::stable_sort(own.begin(), own.end(), [this](const Own& a, const Own& b) { return compare(a, b) < 0; });
     values_.reserve(own.size());
     for (std::size_t k = 0; k < own.size(); ++k) {
       if (k == 0 || compare(own[k - 1], own[k]) != 0) values_.push_back(vertices(own[k]));
       ranks_[own[k].size][own[k].number] = static_cast<Rank>(values_.size());
     }
+    const auto cell_rank = [this](Facet facet) { return facet == kHull ? kNone : ranks_[4][facet / 4]; };
     for (std::size_t k = 0; k < triangles_.size(); ++k) {
       Rank& rank = ranks_[3][k];
       if (rank == kNone) rank = std::min(cell_rank(triangles_[k]), cell_rank(t_.mate(triangles_[k])));
       for (const std::uint32_t side : sides_[k]) ranks_[2][side] = std::min(ranks_[2][side], rank);
     }
   }
-  Rank cell_rank(Facet facet) const { return facet == kHull ? kNone : ranks_[4][facet / 4]; }
-
   static std::vector<std::uint32_t> in_order(const std::vector<Rank>& ranks) {
     std::vector<std::uint64_t> keys;  // in the upper half the rank
     for (const Rank rank : ranks) keys.push_back(std::uint64_t{rank} << 32 | keys.size());
     std::sort(keys.begin(), keys.end());
     return {keys.begin(), keys.end()};
   }
+
   void add(std::uint32_t dimension, Rank birth, Rank death) {
     if (birth != death) all_.push_back({dimension, birth, death});
   }
-  static std::uint32_t root(std::vector<std::uint32_t>& parents, std::uint32_t x) {
-    while (parents[x] != x) x = parents[x] = parents[parents[x]];
-    return x;
-  }
+  class Union {  // of what is joined
+   public:
+    explicit Union(std::size_t size) : parents_(size) { std::iota(parents_.begin(), parents_.end(), 0); }
+    std::uint32_t& root(std::uint32_t x) {
+      while (parents_[x] != x) x = parents_[x] = parents_[parents_[x]];
+      return parents_[x];
+    }
 
+   private:
+    std::vector<std::uint32_t> parents_;
+  };
   void pair_edges(const std::vector<std::uint32_t>& edges) {
-    std::vector<std::uint32_t> parents(points_.row_count());
-    std::iota(parents.begin(), parents.end(), 0);
+    Union components(points_.row_count());
     for (const std::uint32_t edge : edges) {
-      const Id p = root(parents, edges_[edge][0]), q = root(parents, edges_[edge][1]);
-      if (p == q) continue;
-      parents[p] = q;
-      add(0, 0, ranks_[2][edge]);
+      std::uint32_t &p = components.root(edges_[edge][0]), &q = components.root(edges_[edge][1]);
+      if (p != q) add(0, 0, ranks_[2][edge]);
+      p = q;
     }
   }
-  // The root of a component is its cell of the greatest rank; the outside, which is the last one, has infinity.
-  void pair_cells(const std::vector<std::uint32_t>& triangles) {
+  // The root of a component is its cell of the greatest rank; that of the outside, which is the last one, is infinite.
+  void pair_cells(const std::vector<std::uint32_t>& triangles, std::vector<bool>& is_paired) {
+    const auto outside = static_cast<std::uint32_t>(t_.cells.size());
     ranks_[4].push_back(kNone);
-    std::vector<std::uint32_t> parents(ranks_[4].size());
-    std::iota(parents.begin(), parents.end(), 0);
+    Union components(ranks_[4].size());
     for (auto triangle = triangles.rbegin(); triangle != triangles.rend(); ++triangle) {
       const Facet facet = triangles_[*triangle], mate = t_.mate(facet);
-      std::uint32_t lower = root(parents, facet / 4);
-      std::uint32_t upper = root(parents, mate == kHull ? static_cast<std::uint32_t>(t_.cells.size()) : mate / 4);
-      if (lower == upper) continue;
-      if (ranks_[4][lower] > ranks_[4][upper]) std::swap(lower, upper);
-      parents[lower] = upper;
-      is_paired_[*triangle] = true;
+      std::uint32_t &x = components.root(facet / 4), &y = components.root(mate == kHull ? outside : mate / 4);
+      if (x == y) continue;
+      std::uint32_t &lower = ranks_[4][x] < ranks_[4][y] ? x : y, &upper = &lower == &x ? y : x;
       add(2, ranks_[3][*triangle], ranks_[4][lower]);
+      is_paired[*triangle] = true;
+      lower = upper;
     }
   }
   // A column is a sum of boundaries: the edges' places in the order. Earlier columns are added until it ends with an
   // edge that none of them ends with.
-  void pair_triangles(const std::vector<std::uint32_t>& edges, const std::vector<std::uint32_t>& triangles) {
+  void pair_triangles(const std::vector<std::uint32_t>& edges, const std::vector<std::uint32_t>& triangles,
+                      const std::vector<bool>& is_paired) {
     using Column = std::vector<std::uint32_t>;
     std::vector<std::uint32_t> place(edges.size());
     for (std::uint32_t k = 0; k < edges.size(); ++k) place[edges[k]] = k;
@@ -215,17 +196,16 @@ class PersistencePairs {
     std::vector<std::uint32_t> by_last(edges.size(), kNone);  // the triangle whose column ends there
     std::vector<Column> sums(edges.size());                   // and the column, if it is not just the boundary
     for (const std::uint32_t triangle : triangles) {
-      if (is_paired_[triangle]) continue;
+      if (is_paired[triangle]) continue;
       Column column = boundary(triangle), sum;
-      while (by_last[column.back()] != kNone) {
-        const std::uint32_t last = column.back();
+      std::uint32_t last = column.back();
+      for (; by_last[last] != kNone; last = column.back()) {
         const Column other = sums[last].empty() ? boundary(by_last[last]) : sums[last];
         sum.clear();
         std::set_symmetric_difference(column.begin(), column.end(), other.begin(), other.end(),
                                       std::back_inserter(sum));
         column.swap(sum);
       }
-      const std::uint32_t last = column.back();
       by_last[last] = triangle;
       add(1, ranks_[2][edges[last]], ranks_[3][triangle]);
       if (sum.capacity() > 0) sums[last] = column;
@@ -239,6 +219,5 @@ class PersistencePairs {
   std::vector<std::array<std::uint32_t, 3>> sides_;  // of the triangles: edges
   std::array<std::vector<Rank>, 5> ranks_;           // by number of vertices: of edges, triangles and cells
   std::vector<Simplex> values_;                      // by rank, from 1: a simplex that has the value
-  std::vector<bool> is_paired_;                      // by triangle: in dimension 2
   std::vector<PersistencePair> all_;
 };
