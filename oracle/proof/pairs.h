@@ -36,7 +36,7 @@ class PersistencePairs {
     if (points.point_count() > 0) add(0, 0, kNone);
     const std::vector<std::uint32_t> edges = in_order(ranks_[2]), triangles = in_order(ranks_[3]);
     pair_edges(edges);
-    std::vector<bool> is_paired(triangles.size());  // in dimension 2
+    std::vector<bool> is_paired(sides_.size());  // in dimension 2
     if (t_.dimension == 3) pair_cells(triangles, is_paired);
     pair_triangles(edges, triangles, is_paired);
   }
@@ -51,32 +51,29 @@ class PersistencePairs {
   }
 
  private:
+  // A triangle has the number of its facet, and of the first one if there are two; in dimension 2, 4 * cell + 3.
   void find_simplices() {
-    std::vector<std::uint32_t> number_of(4 * t_.cells.size());  // by facet: of the triangle
-    const auto is_opposite_outside = [this](Facet facet) {
-      if (t_.dimension == 2 || facet == kHull) return true;
-      return side_of_sphere(points_, t_.vertices(facet), t_.opposite(facet)) > 0;
-    };
-    for (Facet facet = 0; facet < number_of.size(); ++facet) {
-      const Facet mate = t_.dimension == 3 ? t_.mate(facet) : kHull;
-      if (mate < facet || t_.dimension == 1 || (t_.dimension == 2 && facet % 4 != 3)) continue;
-      number_of[facet] = static_cast<std::uint32_t>(triangles_.size());
-      if (mate != kHull) number_of[mate] = number_of[facet];
-      triangles_.push_back(facet);
-      ranks_[3].push_back(is_opposite_outside(facet) && is_opposite_outside(mate) ? 0 : kNone);
-    }
-    sides_.resize(triangles_.size(), {kNone, kNone, kNone});
-    for_each_edge(t_, [&](const EdgeStar& star) {
+    sides_.resize(t_.dimension > 1 ? 4 * t_.cells.size() : 0, {kNone, kNone, kNone});
+    ranks_[3].resize(sides_.size(), kNone);
+    ranks_[4].resize(t_.dimension == 3 ? t_.cells.size() : 0);
+    for_each_edge(t_, [this](const EdgeStar& star) {
       bool is_outside = true;
       for (const Spoke& spoke : star.spokes) {
-        auto& sides = sides_[number_of[spoke.triangle]];
+        auto& sides = sides_[t_.dimension == 3 ? std::min(spoke.triangle, t_.mate(spoke.triangle)) : spoke.triangle];
         *std::find(sides.begin(), sides.end(), kNone) = static_cast<std::uint32_t>(edges_.size());
         is_outside = is_outside && side_of_sphere(points_, star.edge, spoke.link) > 0;
       }
       edges_.push_back(star.edge);
       ranks_[2].push_back(is_outside ? 0 : kNone);
     });
-    ranks_[4].resize(t_.dimension == 3 ? t_.cells.size() : 0);
+    for (Facet facet = 0; facet < sides_.size(); ++facet) {
+      if (is_triangle(facet) && is_outside(facet) && is_outside(t_.mate(facet))) ranks_[3][facet] = 0;
+    }
+  }
+  bool is_triangle(Facet facet) const { return sides_[facet][0] != kNone; }
+  bool is_outside(Facet facet) const {  // the opposite vertex
+    if (t_.dimension == 2 || facet == kHull) return true;
+    return side_of_sphere(points_, t_.vertices(facet), t_.opposite(facet)) > 0;
   }
 
   // The squared diameter of the smallest sphere through the vertices.
@@ -96,13 +93,14 @@ class PersistencePairs {
     return points_.sign(polynomial, 6);
   }
   struct Own {  // a simplex that has a value of its own
+    double quotient;
     Ratio<Filtered> about;
     mutable std::unique_ptr<Ratio<BigInteger>> exact;  // once it was needed
     std::uint32_t size, number;
   };
   Simplex vertices(const Own& own) const {
-    if (own.size == 4) return t_.cells[own.number];
-    return own.size == 3 ? t_.vertices(triangles_[own.number]) : edges_[own.number];
+    if (own.size == 2) return edges_[own.number];
+    return own.size == 3 ? t_.vertices(own.number) : t_.cells[own.number];
   }
   int compare(const Own& a, const Own& b) const {
     const Filtered about = difference(a.about, b.about);
@@ -119,26 +117,44 @@ class PersistencePairs {
     for (const std::uint32_t size : {2, 3, 4}) {
       for (std::uint32_t number = 0; number < ranks_[size].size(); ++number) {
         if (ranks_[size][number] == kNone) continue;
-        Own& next = own.emplace_back(Own{{}, nullptr, size, number});
+        Own& next = own.emplace_back(Own{0, {}, nullptr, size, number});
         next.about = squared_diameter<Filtered>(vertices(next));
+        const double quotient = next.about.numerator.value / next.about.denominator.value;
+        if (std::isfinite(quotient)) next.quotient = quotient;
       }
     }
-    std::stable_sort(own.begin(), own.end(), [this](const Own& a, const Own& b) { return compare(a, b) < 0; });
+    // By quotients they are nearly in order. Those that come too late are taken out, sorted, and merged again.
+    std::sort(own.begin(), own.end(), [](const Own& a, const Own& b) { return a.quotient < b.quotient; });
+    const auto is_less = [this](const Own& a, const Own& b) { return compare(a, b) < 0; };
+    std::vector<Own> late;
+    auto end = own.begin();
+    for (Own& next : own) {
+      const bool is_late = end != own.begin() && is_less(next, end[-1]);
+      if (is_late) late.push_back(std::move(next));
+      if (!is_late && &next != &*end++) end[-1] = std::move(next);
+    }
+    std::sort(late.begin(), late.end(), is_less);
+    std::move(late.begin(), late.end(), end);
+    std::inplace_merge(own.begin(), end, own.end(), is_less);
     values_.reserve(own.size());
     for (std::size_t k = 0; k < own.size(); ++k) {
       if (k == 0 || compare(own[k - 1], own[k]) != 0) values_.push_back(vertices(own[k]));
       ranks_[own[k].size][own[k].number] = static_cast<Rank>(values_.size());
     }
-    const auto cell_rank = [this](Facet facet) { return facet == kHull ? kNone : ranks_[4][facet / 4]; };
-    for (std::size_t k = 0; k < triangles_.size(); ++k) {
-      Rank& rank = ranks_[3][k];
-      if (rank == kNone) rank = std::min(cell_rank(triangles_[k]), cell_rank(t_.mate(triangles_[k])));
-      for (const std::uint32_t side : sides_[k]) ranks_[2][side] = std::min(ranks_[2][side], rank);
+    for (Facet facet = 0; facet < sides_.size(); ++facet) {
+      if (!is_triangle(facet)) continue;
+      Rank& rank = ranks_[3][facet];
+      for (const Facet at : {facet, t_.mate(facet)}) {
+        if (t_.dimension == 3 && at != kHull) rank = std::min(rank, ranks_[4][at / 4]);
+      }
+      for (const std::uint32_t side : sides_[facet]) ranks_[2][side] = std::min(ranks_[2][side], rank);
     }
   }
   static std::vector<std::uint32_t> in_order(const std::vector<Rank>& ranks) {
     std::vector<std::uint64_t> keys;  // in the upper half the rank
-    for (const Rank rank : ranks) keys.push_back(std::uint64_t{rank} << 32 | keys.size());
+    for (std::uint32_t k = 0; k < ranks.size(); ++k) {
+      if (ranks[k] != kNone) keys.push_back(std::uint64_t{ranks[k]} << 32 | k);
+    }
     std::sort(keys.begin(), keys.end());
     return {keys.begin(), keys.end()};
   }
@@ -171,12 +187,12 @@ class PersistencePairs {
     ranks_[4].push_back(kNone);
     Union components(ranks_[4].size());
     for (auto triangle = triangles.rbegin(); triangle != triangles.rend(); ++triangle) {
-      const Facet facet = triangles_[*triangle], mate = t_.mate(facet);
+      const Facet facet = *triangle, mate = t_.mate(facet);
       std::uint32_t &x = components.root(facet / 4), &y = components.root(mate == kHull ? outside : mate / 4);
       if (x == y) continue;
       std::uint32_t &lower = ranks_[4][x] < ranks_[4][y] ? x : y, &upper = &lower == &x ? y : x;
-      add(2, ranks_[3][*triangle], ranks_[4][lower]);
-      is_paired[*triangle] = true;
+      add(2, ranks_[3][facet], ranks_[4][lower]);
+      is_paired[facet] = true;
       lower = upper;
     }
   }
@@ -187,36 +203,38 @@ class PersistencePairs {
     using Column = std::vector<std::uint32_t>;
     std::vector<std::uint32_t> place(edges.size());
     for (std::uint32_t k = 0; k < edges.size(); ++k) place[edges[k]] = k;
-    const auto boundary = [&](std::uint32_t triangle) {
+    const auto boundary = [&](std::uint32_t triangle, Column& column) {
       const auto& [a, b, c] = sides_[triangle];
-      Column column{place[a], place[b], place[c]};
+      column = {place[a], place[b], place[c]};
       std::sort(column.begin(), column.end());
-      return column;
     };
     std::vector<std::uint32_t> by_last(edges.size(), kNone);  // the triangle whose column ends there
     std::vector<Column> sums(edges.size());                   // and the column, if it is not just the boundary
+    Column column, other, sum;
     for (const std::uint32_t triangle : triangles) {
       if (is_paired[triangle]) continue;
-      Column column = boundary(triangle), sum;
-      std::uint32_t last = column.back();
-      for (; by_last[last] != kNone; last = column.back()) {
-        const Column other = sums[last].empty() ? boundary(by_last[last]) : sums[last];
+      boundary(triangle, column);
+      bool is_boundary = true;
+      for (; by_last[column.back()] != kNone; is_boundary = false) {
+        const std::uint32_t last = column.back();
+        if (sums[last].empty()) boundary(by_last[last], other);
+        const Column& added = sums[last].empty() ? other : sums[last];
         sum.clear();
-        std::set_symmetric_difference(column.begin(), column.end(), other.begin(), other.end(),
+        std::set_symmetric_difference(column.begin(), column.end(), added.begin(), added.end(),
                                       std::back_inserter(sum));
         column.swap(sum);
       }
+      const std::uint32_t last = column.back();
       by_last[last] = triangle;
       add(1, ranks_[2][edges[last]], ranks_[3][triangle]);
-      if (sum.capacity() > 0) sums[last] = column;
+      if (!is_boundary) sums[last] = column;
     }
   }
 
   const Points& points_;
   const Triangulation& t_;
   std::vector<Simplex> edges_;
-  std::vector<Facet> triangles_;
-  std::vector<std::array<std::uint32_t, 3>> sides_;  // of the triangles: edges
+  std::vector<std::array<std::uint32_t, 3>> sides_;  // of triangles: edges
   std::array<std::vector<Rank>, 5> ranks_;           // by number of vertices: of edges, triangles and cells
   std::vector<Simplex> values_;                      // by rank, from 1: a simplex that has the value
   std::vector<PersistencePair> all_;
