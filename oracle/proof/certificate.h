@@ -1,6 +1,6 @@
 // The cells that a certificate tells, and which of their facets are paired; T2.
 //
-// In dimension d a cell has vertices at the places 0 to d. Facet i is without the vertex at place i, which is *opposite*
+// In dimension d a cell has vertices at the places 0 to d. Facet i is without the vertex at place i, which is opposite
 // to it. A facet has the number 4 * (number of the cell) + i.
 #pragma once
 
@@ -35,7 +35,6 @@ struct Triangulation {
 struct SortedIds {
   Simplex ids;
   bool is_odd;
-
   explicit SortedIds(const Simplex& v) : is_odd((v[0] > v[1]) != ((v[0] > v[2]) != (v[1] > v[2]))) {
     const Id low = std::min(v[0], v[1]), high = std::max(v[0], v[1]);
     ids = {std::min(low, v[2]), std::max(low, std::min(high, v[2])), std::max(high, v[2]), kNone};
@@ -128,34 +127,30 @@ class CertificateReader {
     const auto begin = static_cast<Facet>(4 * t_.cells.size());
     t_.cells.push_back(cell);
     t_.mates.push_back({kOpen, kOpen, kOpen, kOpen});
-    if (front != kNone) pair(front, begin + (t_.dimension == 1 ? 1 - front % 4 : front % 4));
+    if (front != kNone) pair(begin + (t_.dimension == 1 ? 1 - front % 4 : front % 4), front);
     for (Facet facet = begin; facet < begin + t_.places(); ++facet) {
       if (t_.mate(facet) != kOpen) continue;
-      Facet& other = first_facet(SortedIds(t_.vertices(facet)).ids);
-      if (other != kNone) {
-        check_pair(facet, other);
-        pair(facet, other);
-      } else {
-        other = facet;
-        open_.push_back(facet);
-      }
+      const Facet first = first_facet(facet);
+      if (first == facet) open_.push_back(facet);
+      if (first != facet) pair(facet, first);
     }
   }
-  void pair(Facet facet, Facet other) { t_.mate(facet) = other, t_.mate(other) = facet; }
-
   // T2. Facets that are paired have the same vertices, and their cells induce opposite orientations on them. No other
   // facet has these vertices.
-  void check_pair(Facet facet, Facet other) const {
+  void pair(Facet facet, Facet other) {
     const auto reject_here = [facet](const char* why) { reject("T2 cell " + std::to_string(facet / 4) + why); };
     if (t_.mate(other) == kHull) reject_here(" is the second one at a facet that was left unpaired");
     if (t_.mate(other) != kOpen) reject_here(" is the third one at a facet");
     const bool is_odd = SortedIds(t_.vertices(facet)).is_odd != SortedIds(t_.vertices(other)).is_odd;
-    if (is_odd == (facet % 2 != other % 2)) reject_here(" is on the side of a facet where there is one");
+    if (is_odd == (facet % 2 != other % 2)) reject_here(" is on another one's side of a facet");
+    t_.mate(facet) = other;
+    t_.mate(other) = facet;
   }
 
-  // The first facet that has these vertices: a slot of a hash table, kNone if there is none yet. There is chance in the
+  // The first facet with the vertices of this one, which may be this one; from a hash table. There is chance in the
   // hash, so that nobody can write a certificate whose facets all meet in one slot.
-  Facet& first_facet(const Simplex& ids) {
+  Facet first_facet(Facet facet) {
+    const Simplex ids = SortedIds(t_.vertices(facet)).ids;
     std::uint64_t hash = chance_;
     for (const Id id : ids) {
       hash = (hash ^ id) * 0x9e3779b97f4a7c15;
@@ -163,7 +158,8 @@ class CertificateReader {
     }
     for (;; ++hash) {
       Facet& slot = slots_[hash & (slots_.size() - 1)];
-      if (slot == kNone || SortedIds(t_.vertices(slot)).ids == ids) return slot;
+      if (slot == kNone) slot = facet;
+      if (slot == facet || SortedIds(t_.vertices(slot)).ids == ids) return slot;
     }
   }
 

@@ -34,26 +34,20 @@ class DelaunayProof {
  private:
   static std::string name(Facet facet) { return "cell " + std::to_string(facet / 4); }
 
-  // The volume of as many vectors as the dimension, up to one positive factor. In dimension 2 or 1 one component of the
-  // cross product, or of the vector, tells it, with one sign for all.
+  // The volume of the facet's cell with x in the opposite vertex's place, up to one positive factor; v: the vectors from
+  // x to the others. In dimension 2 or 1 one component of the cross product, or of the vector, tells it.
   template <class N>
-  N volume(const std::array<Vector<N>, 3>& v) const {
-    if (t_.dimension == 3) return dot(v[0], cross(v[1], v[2]));
-    const Vector<N> w = t_.dimension == 2 ? cross(v[0], v[1]) : v[0];
-    const N along = axis_ == 0 ? w.x : axis_ == 1 ? w.y : w.z;
-    return is_axis_reversed_ ? N{} - along : along;
-  }
-  // The volume of the facet's cell with x in the place of the opposite vertex; v: the vectors from x to the others.
-  template <class N>
-  N volume_from(Facet facet, const std::array<Vector<N>, 3>& v) const {
-    return facet % 2 == 0 ? volume(v) : N{} - volume(v);
+  N volume(Facet facet, const std::array<Vector<N>, 3>& v) const {
+    const Vector<N> w = t_.dimension == 1 ? v[0] : cross(v[0], v[1]);
+    const N value = t_.dimension == 3 ? dot(w, v[2]) : axis_ == 0 ? w.x : axis_ == 1 ? w.y : w.z;
+    return is_axis_reversed_ == (facet % 2 == 0) ? N{} - value : value;
   }
   int side_of_facet(Facet facet, Id x) const {
     const Simplex ids = t_.vertices(facet);
     return points_.sign([&]<class N>() {
       std::array<Vector<N>, 3> v{};
       for (std::size_t k = 0; ids[k] != kNone; ++k) v[k] = points_.vector<N>(x, ids[k]);
-      return volume_from(facet, v);
+      return volume(facet, v);
     });
   }
   int volume_sign(std::uint32_t cell) const { return side_of_facet(4 * cell, t_.cells[cell][0]); }
@@ -104,8 +98,7 @@ class DelaunayProof {
       if (facets.size() != 2) reject("T4 " + name(facet) + " has a ridge that is not of two facets of the hull");
       const bool is_odd = ridge(facet, k).is_odd != ridge(other, l).is_odd;
       if (is_odd == (facet % 2 != other % 2)) reject("T4 " + name(facet) + " has a facet not oriented as the next");
-      if (side_of_facet(facet, t_.vertices(other)[l]) < 0)
-        reject("T6 " + name(facet) + " is where the hull is not convex");
+      if (side_of_facet(facet, t_.vertices(other)[l]) < 0) reject("T6 " + name(facet) + " has a reflex ridge");
     }
   }
   SortedIds ridge(Facet facet, Facet without) const {
@@ -116,7 +109,7 @@ class DelaunayProof {
 
   // T5. o is strictly on the inner side of every facet of B.
   void check_middle(Facet facet) const {
-    const int side = points_.sign([&]<class N>() { return volume_from(facet, from_middle<N>(facet)); });
+    const int side = points_.sign([&]<class N>() { return volume(facet, from_middle<N>(facet)); });
     if (side <= 0) reject("T5 " + name(facet) + " has a hull facet that is not seen from the middle of cell 0");
   }
   // The vectors from o to the facet's vertices, times d + 1.
@@ -139,7 +132,7 @@ class DelaunayProof {
         const auto to_first = from_middle<N>(hull_[0]);
         auto v = from_middle<N>(facet);
         v[k] = to_first[0] + to_first[1] + to_first[2];
-        return volume_from(facet, v);
+        return volume(facet, v);
       });
       if (coefficient < 0 || facet == hull_[0]) return;
     }

@@ -18,12 +18,10 @@ template <class Visit>
 void for_each_edge(const Triangulation& t, const Visit& visit) {
   EdgeStar star;
   std::vector<std::uint16_t> seen(t.cells.size());  // by cell, one bit for the two places that an edge does not have
-  const auto bit = [](Facet i, Facet j) {
-    return static_cast<std::uint16_t>(1 << (4 * std::min(i, j) + std::max(i, j)));
-  };
+  const auto bit = [](Facet i, Facet j) { return static_cast<std::uint16_t>(1U << (1U << i | 1U << j)); };
 
-  // Goes around the edge, from the cell towards its vertex at the place `ahead`. Returns whether it comes back, and does
-  // not end at the hull. The cell and the places are then the last ones.
+  // Goes around the edge, from the cell towards its vertex at the place `ahead`. Returns whether it comes back, rather
+  // than to the hull. The cell and the places are then the last ones.
   const auto go_around = [&](std::uint32_t& cell, Facet& ahead, Facet& behind) {
     star.spokes.clear();
     const std::uint32_t first = cell;
@@ -40,14 +38,13 @@ void for_each_edge(const Triangulation& t, const Visit& visit) {
     } while (cell != first);
     return true;
   };
-
   constexpr std::array<std::pair<Facet, Facet>, 6> kPlaces{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
   for (std::uint32_t cell = 0; cell < t.cells.size(); ++cell) {
     for (std::size_t k = 0; k < 6; ++k) {
       const auto [i, j] = kPlaces[k];
       if (j >= t.places()) continue;
-      star.edge = {std::min(t.cells[cell][i], t.cells[cell][j]), std::max(t.cells[cell][i], t.cells[cell][j]), kNone,
-                   kNone};
+      const auto [p, q] = std::minmax(t.cells[cell][i], t.cells[cell][j]);
+      star.edge = {p, q, kNone, kNone};
       star.spokes.clear();
       if (t.dimension == 2) {
         const Facet facet = 4 * cell + 3 - i - j, mate = t.mate(facet);

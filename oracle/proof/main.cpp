@@ -1,8 +1,8 @@
 // flowcert-proof: proves or rejects a Delaunay certificate, and with it all stationary points of the points of a file,
 // a list of them, and persistence pairs. It prints what is proved.
 //
-// Exit status: 0, all that was asked is proved; 1, the certificate is rejected, or the list or the pairs refuted; 2, that
-// cannot be decided.
+// Exit status: 0, all that was asked is proved; 1, the certificate is rejected, or the list or the pairs refuted; 2,
+// that cannot be decided.
 #include <iostream>
 #include <optional>
 

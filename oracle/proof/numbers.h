@@ -21,7 +21,6 @@
 
 struct Filtered {
   double value, magnitude;
-
   Filtered(double exact = 0) : Filtered(exact, std::fabs(exact)) {}
   Filtered(double v, double m) : value(v), magnitude(m) {}
   friend Filtered operator+(Filtered a, Filtered b) { return {a.value + b.value, a.magnitude + b.magnitude}; }
@@ -32,7 +31,6 @@ struct Filtered {
 using Integer128 = __int128;
 struct BigInteger {  // GMP's, with operations that return numbers, and not expressions
   mpz_class value;
-
   friend BigInteger operator+(BigInteger a, const BigInteger& b) { return a.value += b.value, a; }
   friend BigInteger operator-(BigInteger a, const BigInteger& b) { return a.value -= b.value, a; }
   friend BigInteger operator*(const BigInteger& a, const BigInteger& b) { return {a.value * b.value}; }
@@ -44,7 +42,6 @@ inline int sign_of(const BigInteger& x) { return sgn(x.value); }
 template <class N>
 struct Vector {
   N x, y, z;
-
   friend Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
   friend Vector operator*(const Vector& a, const N& k) { return {a.x * k, a.y * k, a.z * k}; }
   friend N dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
@@ -61,6 +58,6 @@ inline void test_rounding() {
   const bool is_even_at_ties = one + half_unit == 1 && one + 3 * half_unit == 1 + 0x1p-51;
   const bool is_nearest = one + near_unit == 1 + 0x1p-52 && -one - near_unit == -1 - 0x1p-52;
   const bool is_once = one + above_half == 1 + 0x1p-52 && near_one * near_one - square == 0;
-  const bool is_gradual = least_normal * half == 0x1p-1023;
-  if (!is_even_at_ties || !is_nearest || !is_once || !is_gradual) cannot_decide("doubles are not rounded as is needed");
+  const bool is_right = is_even_at_ties && is_nearest && is_once && least_normal * half == 0x1p-1023;
+  if (!is_right) cannot_decide("doubles are not rounded as the bound needs it");
 }

@@ -22,11 +22,9 @@ struct PersistencePair {
 template <class N>
 struct Ratio {
   N numerator, denominator;
+  // This less b, times both denominators.
+  N less(const Ratio& b) const { return numerator * b.denominator - b.numerator * denominator; }
 };
-template <class N>
-N difference(const Ratio<N>& a, const Ratio<N>& b) {  // times both denominators
-  return a.numerator * b.denominator - b.numerator * a.denominator;
-}
 
 class PersistencePairs {
  public:
@@ -89,7 +87,7 @@ class PersistencePairs {
     return {dot(a, a) * dot(b, b) * dot(c, c), dot(ab, ab)};
   }
   int compare(const Simplex& v, const Simplex& w) const {
-    const auto polynomial = [&]<class N>() { return difference(squared_diameter<N>(v), squared_diameter<N>(w)); };
+    const auto polynomial = [&]<class N>() { return squared_diameter<N>(v).less(squared_diameter<N>(w)); };
     return points_.sign(polynomial, 6);
   }
   struct Own {  // a simplex that has a value of its own
@@ -103,13 +101,13 @@ class PersistencePairs {
     return own.size == 3 ? t_.vertices(own.number) : t_.cells[own.number];
   }
   int compare(const Own& a, const Own& b) const {
-    const Filtered about = difference(a.about, b.about);
+    const Filtered about = a.about.less(b.about);
     if (about.has_certain_sign()) return sign_of(about);
     if (points_.grid_bits() <= 6) return compare(vertices(a), vertices(b));
     for (const auto* x : {&a, &b}) {
       if (!x->exact) x->exact = std::make_unique<Ratio<BigInteger>>(squared_diameter<BigInteger>(vertices(*x)));
     }
-    return sign_of(difference(*a.exact, *b.exact));
+    return sign_of(a.exact->less(*b.exact));
   }
   void find_ranks() {
     std::vector<Own> own;
@@ -162,21 +160,15 @@ class PersistencePairs {
   void add(std::uint32_t dimension, Rank birth, Rank death) {
     if (birth != death) all_.push_back({dimension, birth, death});
   }
-  class Union {  // of what is joined
-   public:
-    explicit Union(std::size_t size) : parents_(size) { std::iota(parents_.begin(), parents_.end(), 0); }
-    std::uint32_t& root(std::uint32_t x) {
-      while (parents_[x] != x) x = parents_[x] = parents_[parents_[x]];
-      return parents_[x];
-    }
-
-   private:
-    std::vector<std::uint32_t> parents_;
-  };
+  static std::uint32_t& root(std::vector<std::uint32_t>& parents, std::uint32_t x) {
+    while (parents[x] != x) x = parents[x] = parents[parents[x]];
+    return parents[x];
+  }
   void pair_edges(const std::vector<std::uint32_t>& edges) {
-    Union components(points_.row_count());
+    std::vector<std::uint32_t> parents(points_.row_count());
+    std::iota(parents.begin(), parents.end(), 0);
     for (const std::uint32_t edge : edges) {
-      std::uint32_t &p = components.root(edges_[edge][0]), &q = components.root(edges_[edge][1]);
+      std::uint32_t &p = root(parents, edges_[edge][0]), &q = root(parents, edges_[edge][1]);
       if (p != q) add(0, 0, ranks_[2][edge]);
       p = q;
     }
@@ -185,10 +177,11 @@ class PersistencePairs {
   void pair_cells(const std::vector<std::uint32_t>& triangles, std::vector<bool>& is_paired) {
     const auto outside = static_cast<std::uint32_t>(t_.cells.size());
     ranks_[4].push_back(kNone);
-    Union components(ranks_[4].size());
+    std::vector<std::uint32_t> parents(ranks_[4].size());
+    std::iota(parents.begin(), parents.end(), 0);
     for (auto triangle = triangles.rbegin(); triangle != triangles.rend(); ++triangle) {
       const Facet facet = *triangle, mate = t_.mate(facet);
-      std::uint32_t &x = components.root(facet / 4), &y = components.root(mate == kHull ? outside : mate / 4);
+      std::uint32_t &x = root(parents, facet / 4), &y = root(parents, mate == kHull ? outside : mate / 4);
       if (x == y) continue;
       std::uint32_t &lower = ranks_[4][x] < ranks_[4][y] ? x : y, &upper = &lower == &x ? y : x;
       add(2, ranks_[3][facet], ranks_[4][lower]);

@@ -85,8 +85,7 @@ class Points {
     }
     for (std::size_t k = 0; k < rows.size(); ++k) {
       for (double& x : rows[k]) {
-        if (!std::isfinite(x)) fail(k + 1, ": a coordinate is not finite");
-        x += 0.0;  // -0 is 0
+        if (!std::isfinite(x += 0.0)) fail(k + 1, ": a coordinate is not finite");  // and -0 is 0
       }
     }
     if (rows.size() >= kNone) cannot_decide(path + ": too many rows");
@@ -132,18 +131,14 @@ class Points {
     }
   }
   static int lowest_bit(double x) {  // its exponent
-    int exponent = 0;
-    const double mantissa = std::ldexp(std::frexp(std::fabs(x), &exponent), 53);
-    return exponent - 53 + std::countr_zero(static_cast<std::uint64_t>(mantissa));
+    const double mantissa = std::ldexp(std::fabs(x), 52 - std::ilogb(x));
+    return std::ilogb(x) - 52 + std::countr_zero(static_cast<std::uint64_t>(mantissa));
   }
-
   Filtered difference(Filtered, Id p, Id q, std::size_t k) const { return scaled_[q][k] - scaled_[p][k]; }
   Integer128 difference(Integer128, Id p, Id q, std::size_t k) const {  // exact, because of so few bits
     return static_cast<Integer128>((scaled_[q][k] - scaled_[p][k]) * static_cast<double>(1 << grid_bits_));
   }
-  BigInteger difference(const BigInteger&, Id p, Id q, std::size_t k) const {
-    return {on_grid_[q][k] - on_grid_[p][k]};
-  }
+  BigInteger difference(BigInteger, Id p, Id q, std::size_t k) const { return {on_grid_[q][k] - on_grid_[p][k]}; }
 
   std::vector<Id> id_of_row_;
   std::size_t point_count_ = 0;

@@ -78,8 +78,8 @@ class StationaryPoints {
     }) == 0;
   }
 
-  // R3. A tetrahedron with the circumcentre inside: index 3. The centre is on the inner side of a facet iff the opposite
-  // vertex is outside of the smallest sphere through the facet.
+  // R3. A tetrahedron with the circumcentre inside: index 3. The centre is on the inner side of a facet iff the
+  // opposite vertex is outside of the smallest sphere through the facet.
   void find_at_cell(std::uint32_t cell) {
     if (t_.dimension == 2) find_at_triangle(4 * cell + 3);  // which has no opposite vertex
     bool is_center_inside = t_.dimension == 3;
@@ -113,8 +113,7 @@ class StationaryPoints {
   //   a = 0: index 1.  b = 0, a = 1: kind (1,2).  b = 0, a = 2: index 2.  b > 0, a = b: index 3.
   //   b > 0, a = b + 1: they make up a wedge. If its two sides are coplanar, kind (2,3), and if not, kind (1,3).
   void find_at_edge(const EdgeStar& star) {
-    const Simplex& v = star.edge;
-    const std::vector<Spoke>& spokes = star.spokes;
+    const auto& [v, spokes] = star;
     std::vector<bool> is_zero;  // by spoke; a times
     for (const Spoke& spoke : spokes) {
       const int side = side_of_sphere(points_, v, spoke.link);
