@@ -112,7 +112,7 @@ class PersistencePairs {
   void find_ranks() {
     std::vector<Own> own;
     own.reserve(ranks_[2].size() + ranks_[3].size() + ranks_[4].size());
-    for (const std::uint32_t size : {2, 3, 4}) {
+    for (const std::uint32_t size : {2U, 3U, 4U}) {
       for (std::uint32_t number = 0; number < ranks_[size].size(); ++number) {
         if (ranks_[size][number] == kNone) continue;
         Own& next = own.emplace_back(Own{0, {}, nullptr, size, number});

@@ -133,7 +133,7 @@ class StationaryPoints {
       }
     }
     if (zero_cells.empty()) {
-      const Spoke& spoke = spokes[std::find(is_zero.begin(), is_zero.end(), true) - is_zero.begin()];
+      const Spoke& spoke = *(spokes.begin() + (std::find(is_zero.begin(), is_zero.end(), true) - is_zero.begin()));
       return add(a == 1 ? kRegular12 : kIndex2, v, on_circle(spoke.triangle / 4, {v[0], v[1], spoke.link, kNone}));
     }
     if (sides.empty()) return add(kIndex3, v, on_sphere(zero_cells[0]));
