@@ -1,8 +1,6 @@
 // `flowcert points`: the points of a file, as every command reads them, in a form that needs no reader. A checker of
 // certificates takes them so, where the file is not plain text (spec/formats/certificates.md).
 #include <CLI/CLI.hpp>
-#include <bit>
-#include <cstdint>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -11,6 +9,7 @@
 #include "cli/layer.h"
 #include "cli/table.h"
 #include "flowcert/reproducibility.h"
+#include "io/byte_spool.h"
 #include "io/output_file.h"
 
 namespace flowcert::cli {
@@ -23,14 +22,9 @@ struct PointsOptions : InputOptions {
 
 // 24 bytes a row: x, y and z as little-endian doubles.
 void write_rows(std::ostream& out, const PointSet& points) {
-  std::string bytes;
+  io::ByteWriter bytes(out);
   for (PointId row = 0; row < points.row_count(); ++row) {
-    bytes.clear();
-    for (const double coordinate : points.at_row(row).coordinates()) {
-      const auto bits = std::bit_cast<std::uint64_t>(coordinate);
-      for (int shift = 0; shift < 64; shift += 8) bytes += static_cast<char>(bits >> shift & 0xff);
-    }
-    out << bytes;
+    for (const double coordinate : points.at_row(row).coordinates()) bytes.append(coordinate);
   }
 }
 
@@ -38,7 +32,7 @@ void run_points(const PointsOptions& options) {
   const Input input = read_input(options);
   if (options.output == kStandardStream) return write_rows(std::cout, input.points);
   io::write_whole_file(options.output, [&](std::ostream& out) { write_rows(out, input.points); });
-  print_wrapped(input.name + " (" + input.file.format + ")");
+  print_input(input);
   print_point_counts(input.points);
   print_wrapped("SHA-256 " + coordinates_sha256(input.points));
 }

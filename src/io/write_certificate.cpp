@@ -4,12 +4,13 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
+#include <ostream>
 #include <utility>
 #include <vector>
 
 #include "flowcert/reproducibility.h"
 #include "flowcert/write_stationary_points.h"
+#include "io/byte_spool.h"
 #include "voronoi/voronoi_diagram.h"
 
 namespace flowcert {
@@ -19,13 +20,11 @@ namespace {
 using voronoi::CellIndex;
 using voronoi::VertexIndex;
 
-constexpr std::size_t kBufferBytes = 1 << 16;
-
 // The bytes of FC-FILE-49. The samples of a cell are in the order that a reader has, which is not the diagram's.
 class GluingOrder {
  public:
   GluingOrder(std::ostream& out, const voronoi::VoronoiDiagram& diagram)
-      : out_(out),
+      : bytes_(out),
         diagram_(diagram),
         delaunay_(diagram.delaunay()),
         corners_(static_cast<std::uint32_t>(diagram.dimension()) + 1),
@@ -40,7 +39,6 @@ class GluingOrder {
       open_.pop_back();
       pass(facet);
     }
-    flush();
   }
 
  private:
@@ -85,22 +83,16 @@ class GluingOrder {
   }
 
   void put(std::uint64_t number) {
-    for (; number >= 128; number >>= 7) bytes_ += static_cast<char>(number % 128 + 128);
-    bytes_ += static_cast<char>(number);
-    if (bytes_.size() >= kBufferBytes) flush();
-  }
-  void flush() {
-    out_.write(bytes_.data(), static_cast<std::streamsize>(bytes_.size()));
-    bytes_.clear();
+    for (; number >= 128; number >>= 7) bytes_.append(static_cast<std::uint8_t>(number % 128 + 128));
+    bytes_.append(static_cast<std::uint8_t>(number));
   }
 
-  std::ostream& out_;
+  io::ByteWriter bytes_;
   const voronoi::VoronoiDiagram& diagram_;
   const voronoi::CompactDelaunay& delaunay_;
   const std::uint32_t corners_;
   std::vector<bool> is_entered_;
   std::vector<OpenFacet> open_;
-  std::string bytes_;
 };
 
 }  // namespace
@@ -108,10 +100,9 @@ class GluingOrder {
 void write_certificate(std::ostream& out, const FlowComplex& complex) {
   const voronoi::VoronoiDiagram& diagram = complex.diagram();
   const bool has_cells = diagram.dimension() >= 1;
-  const std::string head = fmt::format("flowcert-certificate 1\npoints {}\nsha256 {}\ndimension {}\ncells {}\n\n",
-                                       complex.points().row_count(), coordinates_sha256(complex.points()),
-                                       diagram.dimension(), has_cells ? diagram.delaunay().finite_count : 0);
-  out.write(head.data(), static_cast<std::streamsize>(head.size()));
+  out << fmt::format("flowcert-certificate 1\npoints {}\nsha256 {}\ndimension {}\ncells {}\n\n",
+                     complex.points().row_count(), coordinates_sha256(complex.points()), diagram.dimension(),
+                     has_cells ? diagram.delaunay().finite_count : 0);
   if (has_cells) GluingOrder(out, diagram).write();
 }
 
