@@ -200,9 +200,13 @@ void add_certificate_option(CLI::App& command, std::string& path) {
       ->check(complaint_about_path);
 }
 
-void write_certificate_file(const std::string& path, const std::string& output, const FlowComplex& complex) {
+void require_another_file(const std::string& certificate, const std::string& output) {
+  if (certificate.empty() || certificate != output) return;
+  throw InvalidInput("-o and --certificate would both write to " + display_name(certificate));
+}
+
+void write_certificate_file(const std::string& path, const FlowComplex& complex) {
   if (path.empty()) return;
-  if (path == output) throw InvalidInput("-o and --certificate would both write to " + display_name(path));
   const ProgressLine progress("writing the certificate");
   io::write_whole_file(path, [&](std::ostream& out) { write_certificate(out, complex); });
 }

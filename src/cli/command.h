@@ -108,8 +108,10 @@ void add_threads_option(CLI::App& command, unsigned& threads);
 
 // The option --certificate, of commands whose results follow from the triangulation alone.
 void add_certificate_option(CLI::App& command, std::string& path);
-// Writes that file, if there is a path. It must be another one than that of -o.
-void write_certificate_file(const std::string& path, const std::string& output, const FlowComplex& complex);
+// Throws InvalidInput where that file and that of -o are one. It is called before anything is computed.
+void require_another_file(const std::string& certificate, const std::string& output);
+// Writes that file, if there is a path.
+void write_certificate_file(const std::string& path, const FlowComplex& complex);
 
 // The path that stands for standard input or standard output.
 inline constexpr char kStandardStream[] = "-";

@@ -117,6 +117,7 @@ void compute(const ComputeOptions& options) {
   const std::vector<FlowComplexPart> parts = wanted_parts(options);
   const bool is_streamed = options.output == kStandardStream;
   if (is_streamed && options.json) throw InvalidInput("-o - and --json would both write to standard output");
+  require_another_file(options.certificate, options.output);
   std::optional<ExportFiles> files;
   if (!options.export_directory.empty()) files.emplace(export_choice(options), display_name(options.input));
   const Input input = read_input(options);
@@ -127,7 +128,7 @@ void compute(const ComputeOptions& options) {
       measure(input.points, options.runs, complex_options(input, options.u2.options()), parts, made);
   tell_of_many_cells(*measured.last);
   if (!options.output.empty()) write_records(options, measured);
-  write_certificate_file(options.certificate, options.output, *measured.last);
+  write_certificate_file(options.certificate, *measured.last);
   if (options.json) {
     print_compute_summary(input, measured, options.u2);
   } else if (!is_streamed) {

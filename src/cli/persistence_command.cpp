@@ -205,6 +205,7 @@ void print_persistence(const PersistenceOptions& options) {
   if (options.output == kStandardStream && options.json) {
     throw InvalidInput("-o - and --json would both write to standard output");
   }
+  require_another_file(options.certificate, options.output);
   const Input input = read_input(options);
   const Measured measured =
       measure(input.points, 1, complex_options(input, {.seed = options.seed}),
@@ -215,7 +216,7 @@ void print_persistence(const PersistenceOptions& options) {
   const bool is_streamed = options.output == kStandardStream;
   if (is_streamed) fmt::print("{}", text_of(options, diagram));
   if (!is_streamed && !options.output.empty()) write_file(options.output, text_of(options, diagram));
-  write_certificate_file(options.certificate, options.output, complex);
+  write_certificate_file(options.certificate, complex);
   if (options.json) {
     print_json(input, measured, diagram, options.seed);
   } else if (!is_streamed) {
