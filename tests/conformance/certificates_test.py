@@ -13,14 +13,14 @@ import os
 import random
 import subprocess
 import sys
-import tarfile
 import tempfile
 from pathlib import Path
 
 FLOWCERT, PROOF, ROOT = sys.argv[1], sys.argv[2], Path(sys.argv[3])
+sys.path.insert(0, str(ROOT / "tests/bench"))
+import paper_tables  # noqa: E402
 CASES = max(1, round(1000 * float(os.environ.get("FLOWCERT_PROPERTY_SCALE", "1"))))
 BUNNY = Path("/usr/share/glmark2/models/bunny.obj")
-ARCHIVE = Path("/usr/share/doc/libcgal-dev/data.tar.gz")
 failures = []
 
 
@@ -146,14 +146,6 @@ def refuse_changed(folder, rounds):
     expect(rounds < 100 or len(kinds) == 10, f"changes of these kinds alone: {sorted(kinds)}")
 
 
-def kitten(folder):
-    if not ARCHIVE.is_file():
-        return None
-    with tarfile.open(ARCHIVE) as files:
-        (folder / "kitten.xyz").write_bytes(files.extractfile("data/points_3/kitten.xyz").read())
-    return folder / "kitten.xyz"
-
-
 def main():
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -163,11 +155,11 @@ def main():
             prove_whole(source.name, source, folder, True)
         prove_drawn(folder)
         refuse_changed(folder, max(5, CASES // 10))
-        for scan in (BUNNY if BUNNY.exists() else None, kitten(folder)):
-            if scan is None:
-                print("a scan of Debian's packages is not there: it is not proved")
-            else:
-                prove_whole(scan.name, scan, folder, False)
+        scans = [*([BUNNY] if BUNNY.exists() else []), *paper_tables.kitten(folder)]
+        if len(scans) < 2:
+            print("a scan of Debian's packages is not there: it is not proved")
+        for scan in scans:
+            prove_whole(scan.name, scan, folder, False)
     print(f"{len(regressions)} regressions and {CASES} drawn inputs; {len(failures)} failures")
     return 1 if failures else 0
 
