@@ -34,8 +34,8 @@ class DelaunayProof {
  private:
   static std::string name(Facet facet) { return "cell " + std::to_string(facet / 4); }
 
-  // The volume of the facet's cell with x in the opposite vertex's place, up to one positive factor; v: the vectors from
-  // x to the others. In dimension 2 or 1 one component of the cross product, or of the vector, tells it.
+  // The volume of the facet's cell with x in the opposite vertex's place, up to one positive factor; v: the vectors
+  // from x to the others. In dimension 2 or 1 it is one component of the cross product, or of the vector.
   template <class N>
   N volume(Facet facet, const std::array<Vector<N>, 3>& v) const {
     const Vector<N> w = t_.dimension == 1 ? v[0] : cross(v[0], v[1]);

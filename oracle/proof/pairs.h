@@ -41,7 +41,7 @@ class PersistencePairs {
 
   const std::vector<PersistencePair>& all() const { return all_; }
   Ratio<BigInteger> squared_diameter(Rank rank) const { return squared_diameter<BigInteger>(values_[rank - 1]); }
-  // Of the smallest sphere through the vertices, which is that of some simplex.
+  // The rank of the smallest sphere through the vertices, whose value some simplex has.
   Rank rank_of(const Simplex& v) const {
     if (v[1] == kNone) return 0;
     const auto is_less = [this](const Simplex& a, const Simplex& b) { return compare(a, b) < 0; };

@@ -46,7 +46,7 @@ std::size_t negative_of(const OutcomeRow& row) {
   return sum;
 }
 
-// Of the cases for which includes(case).
+// The row counts the cases for which includes(case).
 template <typename Includes>
 OutcomeRow row_of(const ConformanceReport& report, const std::string& name, const Includes& includes) {
   OutcomeRow row{.name = name, .counts = std::vector<std::size_t>(kColumns.size())};

@@ -123,7 +123,8 @@ void append_little_endian(std::string& bytes, Number value) {
   append_little_endian(bytes, static_cast<std::make_unsigned_t<Number>>(value));
 }
 
-// Of kind 'f', an IEEE float of 4 or 8 bytes, or an integer of 1, 2, 4 or 8: 'i' with a sign, 'u' without.
+// A number as files store it: kind 'f' is an IEEE float of 4 or 8 bytes; 'i', with a sign, and 'u' are integers of 1, 2,
+// 4 or 8 bytes.
 struct StoredType {
   char kind = 'f';
   std::size_t size = 8;

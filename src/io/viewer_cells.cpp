@@ -29,7 +29,7 @@ struct DrawnSurface {
   std::vector<std::vector<std::uint32_t>> sheets, lines;
 };
 
-// Of a coordinate in the frame's box.
+// A coordinate in the frame's box does not overflow.
 float nearest_float(const Rational& x) { return static_cast<float>(nearest_double(x).value()); }
 
 class SurfaceDrawer {

@@ -83,7 +83,7 @@ void choose_cells(const FlowComplex& complex, std::size_t most_cells, std::size_
                   ViewerSelection& selection);
 
 // ---- Fields ----
-// Of the whole complex, if it is asked for: volumes of stable sets, connections, the faces of cells, and unstable sets.
+// A whole complex has volumes of stable sets, connections, the faces of cells, and unstable sets, if they are asked for.
 //
 // Guarantees: connections are exact, volumes are the nearest doubles, and faces are closed around each cell.
 [[nodiscard]] Json viewer_cells_field(const FlowComplex& complex, const ViewerFrame& frame,

@@ -56,13 +56,13 @@ struct DivisionPoint {
   FacetName facet{0, 0};
   VertexIndex apex = 0, far_apex = 0, other = 0;
 
-  // Of a crossing: three samples of the polygon through whose Voronoi edge the ray enters.
+  // A crossing has three samples of the polygon through whose Voronoi edge the ray enters.
   [[nodiscard]] std::array<VertexIndex, 3> samples() const { return {facet.v0, facet.v1, apex}; }
 };
 
 class LimitPartition {
  public:
-  // The diagram and the list must outlive it. It divides everything at once. The progress is told now and then how many
+  // The diagram and the list must outlive it. It divides everything at once. The progress is now and then how many
   // Voronoi edges are divided, of the total given.
   LimitPartition(const VoronoiDiagram& diagram, const StationaryPoints& stationary, const FlowOptions& options,
                  const Progress& progress, std::size_t total);
