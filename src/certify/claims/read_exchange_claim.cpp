@@ -2,6 +2,8 @@
 // (spec/formats/stationary_points.md; spec/schemas/exchange.schema.json).
 //
 // Guarantees: a known key has a right value, or the file is refused. InvalidInput names the place.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -157,7 +159,7 @@ ClaimedIndices indices_of(const ExchangeValue& value) {
   ClaimedIndices indices{};
   for (const int index : list_of(value, index_of)) {
     bool& is_claimed = indices.at(static_cast<std::size_t>(index));
-    if (is_claimed) value.reject("indices: " + std::to_string(index) + " is there twice");
+    if (is_claimed) value.reject(fmt::format("indices: {} is there twice", index));
     is_claimed = true;
   }
   return indices;
@@ -257,7 +259,7 @@ std::optional<ExchangeValue> find_if(const ExchangeValue& record, const char* ke
 std::optional<ExchangeValue> find_of_index(const ExchangeValue& record, const ClaimedPoint& point, const char* key,
                                            int index) {
   const bool is_other = point.hull_dimension || point.index != index;
-  return find_if(record, key, !is_other, "critical points of index " + std::to_string(index));
+  return find_if(record, key, !is_other, fmt::format("critical points of index {}", index));
 }
 
 void read_flow(const ExchangeValue& record, ClaimedPoint& point) {
