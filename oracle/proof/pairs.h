@@ -12,12 +12,8 @@
 
 #include "edge_stars.h"
 
-using Rank = std::uint32_t;  // 0 is the value 0, kNone is infinity, and values ascend between them
-struct PersistencePair {
-  std::uint32_t dimension;
-  Rank birth, death;
-  auto operator<=>(const PersistencePair&) const = default;
-};
+using Rank = std::uint32_t;                   // 0 is the value 0, kNone is infinity, and values ascend between them
+using PersistencePair = std::array<Rank, 3>;  // dimension, birth and death
 
 template <class N>
 struct Ratio {
@@ -32,11 +28,11 @@ class PersistencePairs {
     find_simplices();
     find_ranks();
     if (points.point_count() > 0) add(0, 0, kNone);
-    const std::vector<std::uint32_t> edges = in_order(ranks_[2]), triangles = in_order(ranks_[3]);
-    pair_edges(edges);
-    std::vector<bool> is_paired(sides_.size());  // in dimension 2
-    if (t_.dimension == 3) pair_cells(triangles, is_paired);
-    pair_triangles(edges, triangles, is_paired);
+    const std::vector<std::uint32_t> closing = join(0, in_order(ranks_[2]));
+    std::vector<std::uint32_t> triangles = in_order(ranks_[3]);
+    std::reverse(triangles.begin(), triangles.end());
+    if (t_.dimension == 3) triangles = join(2, triangles);
+    pair_triangles(closing, triangles);
   }
 
   const std::vector<PersistencePair>& all() const { return all_; }
@@ -54,6 +50,8 @@ class PersistencePairs {
     sides_.resize(t_.dimension > 1 ? 4 * t_.cells.size() : 0, {kNone, kNone, kNone});
     ranks_[3].resize(sides_.size(), kNone);
     ranks_[4].resize(t_.dimension == 3 ? t_.cells.size() : 0);
+    ranks_[4].push_back(kNone);  // of the outside
+    ranks_[1].resize(points_.row_count());
     for_each_edge(t_, [this](const EdgeStar& star) {
       bool is_outside = true;
       for (const Spoke& spoke : star.spokes) {
@@ -118,22 +116,13 @@ class PersistencePairs {
         Own& next = own.emplace_back(Own{0, {}, nullptr, size, number});
         next.about = squared_diameter<Filtered>(vertices(next));
         const double quotient = next.about.numerator.value / next.about.denominator.value;
-        if (std::isfinite(quotient)) next.quotient = quotient;
+        next.quotient = std::isfinite(quotient) ? quotient : 0;
       }
     }
-    // By quotients they are nearly in order. Those that come too late are taken out, sorted, and merged again.
+    // By quotients they are in order, unless roundings are in the way.
     std::sort(own.begin(), own.end(), [](const Own& a, const Own& b) { return a.quotient < b.quotient; });
     const auto is_less = [this](const Own& a, const Own& b) { return compare(a, b) < 0; };
-    std::vector<Own> late;
-    auto end = own.begin();
-    for (Own& next : own) {
-      const bool is_late = end != own.begin() && is_less(next, end[-1]);
-      if (is_late) late.push_back(std::move(next));
-      if (!is_late && &next != &*end++) end[-1] = std::move(next);
-    }
-    std::sort(late.begin(), late.end(), is_less);
-    std::move(late.begin(), late.end(), end);
-    std::inplace_merge(own.begin(), end, own.end(), is_less);
+    if (!std::is_sorted(own.begin(), own.end(), is_less)) std::sort(own.begin(), own.end(), is_less);
     values_.reserve(own.size());
     for (std::size_t k = 0; k < own.size(); ++k) {
       if (k == 0 || compare(own[k - 1], own[k]) != 0) values_.push_back(vertices(own[k]));
@@ -164,63 +153,48 @@ class PersistencePairs {
     while (parents[x] != x) x = parents[x] = parents[parents[x]];
     return parents[x];
   }
-  void pair_edges(const std::vector<std::uint32_t>& edges) {
-    std::vector<std::uint32_t> parents(points_.row_count());
-    std::iota(parents.begin(), parents.end(), 0);
-    for (const std::uint32_t edge : edges) {
-      std::uint32_t &p = root(parents, edges_[edge][0]), &q = root(parents, edges_[edge][1]);
-      if (p != q) add(0, 0, ranks_[2][edge]);
-      p = q;
-    }
-  }
-  // The root of a component is its cell of the greatest rank; that of the outside, which is the last one, is infinite.
-  void pair_cells(const std::vector<std::uint32_t>& triangles, std::vector<bool>& is_paired) {
+  // Joins the ends of edges, or the cells at triangles, in this order. It pairs each with what ceases to be the root of
+  // a component: a root has the greatest rank. It returns those whose two sides are joined already.
+  std::vector<std::uint32_t> join(std::uint32_t dimension, const std::vector<std::uint32_t>& order) {
+    const std::vector<Rank>&ranks = ranks_[dimension == 0 ? 2 : 3], &roots = ranks_[dimension == 0 ? 1 : 4];
     const auto outside = static_cast<std::uint32_t>(t_.cells.size());
-    ranks_[4].push_back(kNone);
-    std::vector<std::uint32_t> parents(ranks_[4].size());
+    std::vector<std::uint32_t> parents(roots.size()), others;
     std::iota(parents.begin(), parents.end(), 0);
-    for (auto triangle = triangles.rbegin(); triangle != triangles.rend(); ++triangle) {
-      const Facet facet = *triangle, mate = t_.mate(facet);
-      std::uint32_t &x = root(parents, facet / 4), &y = root(parents, mate == kHull ? outside : mate / 4);
-      if (x == y) continue;
-      std::uint32_t &lower = ranks_[4][x] < ranks_[4][y] ? x : y, &upper = &lower == &x ? y : x;
-      add(2, ranks_[3][facet], ranks_[4][lower]);
-      is_paired[facet] = true;
+    for (const std::uint32_t k : order) {
+      std::uint32_t& x = root(parents, dimension == 0 ? edges_[k][0] : k / 4);
+      std::uint32_t& y = root(parents, dimension == 0 ? edges_[k][1] : std::min(t_.mate(k) / 4, outside));
+      if (x == y) {
+        others.push_back(k);
+        continue;
+      }
+      std::uint32_t &lower = roots[x] < roots[y] ? x : y, &upper = &lower == &x ? y : x;
+      add(dimension, std::min(ranks[k], roots[lower]), std::max(ranks[k], roots[lower]));
       lower = upper;
     }
+    return others;
   }
-  // A column is a sum of boundaries: the edges' places in the order. Earlier columns are added until it ends with an
-  // edge that none of them ends with.
-  void pair_triangles(const std::vector<std::uint32_t>& edges, const std::vector<std::uint32_t>& triangles,
-                      const std::vector<bool>& is_paired) {
-    using Column = std::vector<std::uint32_t>;
-    std::vector<std::uint32_t> place(edges.size());
-    for (std::uint32_t k = 0; k < edges.size(); ++k) place[edges[k]] = k;
-    const auto boundary = [&](std::uint32_t triangle, Column& column) {
-      const auto& [a, b, c] = sides_[triangle];
-      column = {place[a], place[b], place[c]};
+  // A column is a sum of boundaries: the places of its edges in the order. Earlier columns are added until it ends with
+  // an edge that none of them ends with. The last edge of a cycle closes it, so that columns need no other edges.
+  void pair_triangles(const std::vector<std::uint32_t>& closing, std::vector<std::uint32_t> triangles) {
+    std::vector<std::uint32_t> place(edges_.size(), kNone), column, sum, columns;  // all columns, one after the other
+    for (std::uint32_t k = 0; k < closing.size(); ++k) place[closing[k]] = k;
+    std::vector<std::pair<std::size_t, std::size_t>> by_last(closing.size());  // by last edge: begin and end
+    for (; !triangles.empty(); triangles.pop_back()) {
+      column.clear();
+      for (const std::uint32_t side : sides_[triangles.back()]) {
+        if (place[side] != kNone) column.push_back(place[side]);
+      }
       std::sort(column.begin(), column.end());
-    };
-    std::vector<std::uint32_t> by_last(edges.size(), kNone);  // the triangle whose column ends there
-    std::vector<Column> sums(edges.size());                   // and the column, if it is not just the boundary
-    Column column, other, sum;
-    for (const std::uint32_t triangle : triangles) {
-      if (is_paired[triangle]) continue;
-      boundary(triangle, column);
-      bool is_boundary = true;
-      for (; by_last[column.back()] != kNone; is_boundary = false) {
-        const std::uint32_t last = column.back();
-        if (sums[last].empty()) boundary(by_last[last], other);
-        const Column& added = sums[last].empty() ? other : sums[last];
+      while (by_last[column.back()].second != 0) {
+        const auto [begin, end] = by_last[column.back()];
         sum.clear();
-        std::set_symmetric_difference(column.begin(), column.end(), added.begin(), added.end(),
+        std::set_symmetric_difference(column.begin(), column.end(), &columns[begin], &columns[end - 1] + 1,
                                       std::back_inserter(sum));
         column.swap(sum);
       }
-      const std::uint32_t last = column.back();
-      by_last[last] = triangle;
-      add(1, ranks_[2][edges[last]], ranks_[3][triangle]);
-      if (!is_boundary) sums[last] = column;
+      add(1, ranks_[2][closing[column.back()]], ranks_[3][triangles.back()]);
+      by_last[column.back()] = {columns.size(), columns.size() + column.size()};
+      columns.insert(columns.end(), column.begin(), column.end());
     }
   }
 
