@@ -1,5 +1,4 @@
 // The cells that a certificate tells, and which of their facets are paired; T2.
-//
 // In dimension d a cell has vertices at the places 0 to d. Facet i is without the vertex at place i, which is opposite
 // to it. A facet has the number 4 * (number of the cell) + i.
 #pragma once
@@ -23,7 +22,7 @@ struct Triangulation {
   std::uint32_t places() const { return static_cast<std::uint32_t>(dimension + 1); }
 
   // In the order of places. The cell induces this orientation on its facet if the opposite vertex is at an even place,
-  // and the other one if it is at an odd place.
+  // and the other one if it is at an odd place. (With T1, that of FC-CERT-01.)
   Simplex vertices(Facet facet) const {
     const Simplex& v = cells[facet / 4];
     const Facet i = facet % 4;
@@ -31,7 +30,7 @@ struct Triangulation {
   }
 };
 
-// Up to three ids in ascending order, and whether it takes an odd permutation to get there.
+// Up to three ids in ascending order, then kNone, and whether it takes an odd permutation to get there.
 struct SortedIds {
   Simplex ids;
   bool is_odd;
@@ -111,8 +110,8 @@ class CertificateReader {
     if (!points_.is_id(number)) fail("there is no point " + std::to_string(number));
     return static_cast<Id>(number);
   }
-  // The facet's cell with another vertex in the opposite one's place. Two places are swapped, so that its volume is
-  // positive if it lies behind the facet.
+  // The facet's cell with another vertex in the opposite one's place. Two places are swapped (in dimension 1, its only
+  // two), so that its volume is positive if it lies behind the facet.
   Simplex cell_behind(Facet facet, std::uint64_t zigzag) const {
     Simplex cell = t_.cells[facet / 4];
     const Facet i = facet % 4;
@@ -121,8 +120,7 @@ class CertificateReader {
     return cell;
   }
 
-  // Adds the cell, glued to the facet `front` of another one. Its other facets are paired with those of the same
-  // vertices, or else open.
+  // Adds the cell, glued to the facet `front`. Its other facets are paired with those of the same vertices, or open.
   void enter(const Simplex& cell, Facet front) {
     const auto begin = static_cast<Facet>(4 * t_.cells.size());
     t_.cells.push_back(cell);
@@ -135,8 +133,7 @@ class CertificateReader {
       if (first != facet) pair(facet, first);
     }
   }
-  // T2. Facets that are paired have the same vertices, and their cells induce opposite orientations on them. No other
-  // facet has these vertices.
+  // T2. Paired facets have the same vertices, oppositely oriented, and no third facet has these.
   void pair(Facet facet, Facet other) {
     const auto reject_here = [facet](const char* why) { reject("T2 cell " + std::to_string(facet / 4) + why); };
     if (t_.mate(other) == kHull) reject_here(" is the second one at a facet that was left unpaired");
@@ -147,8 +144,8 @@ class CertificateReader {
     t_.mate(other) = facet;
   }
 
-  // The first facet with the vertices of this one, which may be this one; from a hash table. There is chance in the
-  // hash, so that nobody can write a certificate whose facets all meet in one slot.
+  // The first facet with the vertices of this one, which may be this one; from a hash table that always has free slots.
+  // There is chance in the hash, so that nobody can write a certificate whose facets all meet in one slot.
   Facet first_facet(Facet facet) {
     const Simplex ids = SortedIds(t_.vertices(facet)).ids;
     std::uint64_t hash = chance_;

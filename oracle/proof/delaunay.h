@@ -1,7 +1,5 @@
-// Theorem 1: if T0 to T8 hold, the cells are a Delaunay triangulation of the points. (T2 is in certificate.h.)
-//
-// B is the set of the facets that are not paired, and o the middle of the first cell. A point x is on the *inner side*
-// of a facet iff the volume of its cell is positive with x in the place of the opposite vertex.
+// Theorem FC-CERT-02: if T0 to T8 hold, the cells are a Delaunay triangulation of the points. (T2 is in certificate.h.)
+// B, o (here the middle of the first cell) and the inner side of a facet are those of FC-CERT-01.
 #pragma once
 
 #include <map>
@@ -40,6 +38,7 @@ class DelaunayProof {
   N volume(Facet facet, const std::array<Vector<N>, 3>& v) const {
     const Vector<N> w = t_.dimension == 1 ? v[0] : cross(v[0], v[1]);
     const N value = t_.dimension == 3 ? dot(w, v[2]) : axis_ == 0 ? w.x : axis_ == 1 ? w.y : w.z;
+    // An odd place changes the sign, and so does a reversed axis.
     return is_axis_reversed_ == (facet % 2 == 0) ? N{} - value : value;
   }
   int side_of_facet(Facet facet, Id x) const {
@@ -52,7 +51,8 @@ class DelaunayProof {
   }
   int volume_sign(std::uint32_t cell) const { return side_of_facet(4 * cell, t_.cells[cell][0]); }
 
-  // T0. d is the dimension of the points: all of them lie in the affine hull of the first cell.
+  // T0. d is the dimension of the points: all of them lie in the affine hull of the first cell. In dimension 1 or 2 one
+  // component tells the sign of each volume then, as all normals are parallel. In dimension 3, T1 is enough.
   void check_dimension() {
     const int d = t_.dimension;
     if (d < 1 && points_.point_count() != t_.places()) reject("T0 the points have another dimension");
@@ -62,12 +62,12 @@ class DelaunayProof {
     if (axis_ == 3) reject("T1 cell 0 has no volume");
     is_axis_reversed_ = volume_sign(0) < 0;
     for (Id x = 0; x < points_.row_count(); ++x) {
-      const int distance = points_.sign([&]<class N>() {
+      const int is_off = points_.sign([&]<class N>() {
         const auto to_x = points_.vector<N>(v[0], x);
         const auto normal = cross(points_.vector<N>(v[0], v[1]), d == 1 ? to_x : points_.vector<N>(v[0], v[2]));
         return dot(normal, d == 1 ? normal : to_x);
       });
-      if (distance != 0) reject("T0 point " + std::to_string(x) + " is not in the affine hull of cell 0");
+      if (is_off != 0) reject("T0 point " + std::to_string(x) + " is not in the affine hull of cell 0");
     }
   }
 
@@ -84,7 +84,8 @@ class DelaunayProof {
   }
 
   // T4. Every ridge of B is in exactly two facets of B, which induce opposite orientations.
-  // T6. For two facets of B at a ridge, the second's opposite vertex is not strictly outside of the first.
+  // T6. For two facets of B at a ridge, the second's opposite vertex is not strictly outside of the first. By T4, it is
+  // the same the other way round.
   // In dimension 1, facets are points, and the one ridge is the empty set.
   void check_ridges() const {
     std::map<Simplex, std::vector<std::pair<Facet, Facet>>> ridges;  // of each: facets, and which vertex is not there
@@ -125,7 +126,7 @@ class DelaunayProof {
 
   // T7. The ray from o through the middle of one facet of B, the first, meets no other closed facet of B.
   // It meets those where its vector is a sum of the vectors to the vertices with coefficients that are not negative. By
-  // Cramer's rule and T5, these have the signs of the volumes where the ray's vector replaces one of the others.
+  // Cramer's rule and T5, these have the signs of the volumes where the ray's vector replaces one of the facet's.
   void check_ray(Facet facet) const {
     for (std::size_t k = 0; k + 1 < t_.places(); ++k) {
       const int coefficient = points_.sign([&]<class N>() {

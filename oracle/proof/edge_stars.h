@@ -21,7 +21,7 @@ void for_each_edge(const Triangulation& t, const Visit& visit) {
   const auto bit = [](Facet i, Facet j) { return static_cast<std::uint16_t>(1U << (1U << i | 1U << j)); };
 
   // Goes around the edge, from the cell towards its vertex at the place `ahead`. Returns whether it comes back, rather
-  // than to the hull. The cell and the places are then the last ones.
+  // than to the hull. Pairing is one to one, so that it ends. The cell and the places are then the last ones.
   const auto go_around = [&](std::uint32_t& cell, Facet& ahead, Facet& behind) {
     star.spokes.clear();
     const std::uint32_t first = cell;
@@ -47,7 +47,7 @@ void for_each_edge(const Triangulation& t, const Visit& visit) {
       star.edge = {p, q, kNone, kNone};
       star.spokes.clear();
       if (t.dimension == 2) {
-        const Facet facet = 4 * cell + 3 - i - j, mate = t.mate(facet);
+        const Facet facet = 4 * cell + (3 - i - j), mate = t.mate(facet);
         if (mate < facet) continue;
         star.spokes.push_back({t.opposite(facet), 4 * cell + 3, kNone});
         if (mate != kHull) star.spokes.push_back({t.opposite(mate), mate / 4 * 4 + 3, kNone});

@@ -1,5 +1,6 @@
-// Theorem 2: the stationary points that are no samples are, one to one, the simplices of the Delaunay triangulation
-// whose circumcentre is in their relative interior, with no link vertex strictly inside the sphere around it; R1 to R3.
+// Theorem FC-CERT-03: the stationary points that are no samples are, one to one, the simplices of the triangulation
+// whose circumcentre is in their relative interior, with no link vertex strictly inside the sphere around it. Their
+// kinds follow from what is on that sphere (FC-CERT-04): R1 is for edges, R2 for triangles and R3 for tetrahedra.
 #pragma once
 
 #include <set>
@@ -79,7 +80,7 @@ class StationaryPoints {
   }
 
   // R3. A tetrahedron with the circumcentre inside: index 3. The centre is on the inner side of a facet iff the
-  // opposite vertex is outside of the smallest sphere through the facet.
+  // opposite vertex is outside of the smallest sphere through the facet (its power is twice the heights' product).
   void find_at_cell(std::uint32_t cell) {
     if (t_.dimension == 2) find_at_triangle(4 * cell + 3);  // which has no opposite vertex
     bool is_center_inside = t_.dimension == 3;
@@ -114,7 +115,7 @@ class StationaryPoints {
   //   b > 0, a = b + 1: they make up a wedge. If its two sides are coplanar, kind (2,3), and if not, kind (1,3).
   void find_at_edge(const EdgeStar& star) {
     const auto& [v, spokes] = star;
-    std::vector<bool> is_zero;  // by spoke; a times
+    std::vector<bool> is_zero;  // by spoke: its link vertex is on the sphere; a times
     for (const Spoke& spoke : spokes) {
       const int side = side_of_sphere(points_, v, spoke.link);
       if (side < 0) return;
@@ -123,7 +124,7 @@ class StationaryPoints {
     const auto a = std::count(is_zero.begin(), is_zero.end(), true);
     if (a == 0) return add(kIndex1, v, {v[0], v[1]});
     std::vector<std::uint32_t> zero_cells;  // the b tetrahedra
-    std::set<Id> sides;                     // link vertices of one of them, and not of two
+    std::set<Id> sides;                     // link vertices of one of them, and not of two: none iff a = b
     for (std::size_t k = 0; k < spokes.size(); ++k) {
       const std::size_t next = (k + 1) % spokes.size();
       if (spokes[k].cell == kNone || !is_zero[k] || !is_zero[next]) continue;
