@@ -5,9 +5,9 @@
     proof.py SCAN --cells FILE [--from-cells CERTIFICATE]  FILE: d+1 rows of SCAN a line, in any order
 
 SCAN is .xyz, three decimals a row, or .f64, raw doubles. A certificate (.fcert) has cells, and who made it does not
-matter: the conditions T0 to T8 of Theorem 1 say whether they are a Delaunay triangulation. It has all stationary points
-by Theorem 2, and tells their kinds and contact sets; the list has to be the same, line by line. --cells asks the same
-of a plain list of cells. Only integers decide: coordinates are integers times one power of two.
+matter: the conditions T0 to T8 of FC-CERT-02 say whether they are a Delaunay triangulation. It has all stationary
+points by FC-CERT-03, and tells their kinds and contact sets; the list has to be the same, line by line. --cells asks
+the same of a plain list of cells. Only integers decide: coordinates are integers times one power of two.
 Exit status: 0 if all of it is proved, 1 if a condition fails or the list differs, 2 for what cannot be decoded.
 """
 import argparse, hashlib, math, re, struct, sys
@@ -19,7 +19,7 @@ sys.set_int_max_str_digits(0)
 
 
 class Rejected(Exception):
-    """A condition of Theorem 1 fails, or a list is not that of the stationary points."""
+    """A condition of FC-CERT-02 fails, or a list is not that of the stationary points."""
 
 
 class Undecodable(Exception):
@@ -55,7 +55,7 @@ def rows_in(path):
     """The rows of a file of points; an empty one for what is no row."""
     with open(path, "rb") as file:
         if path.endswith(".xyz"):
-            for line in file:
+            for line in file.readlines() or [b""]:
                 found = ROW.fullmatch(line)
                 yield tuple(map(float, found.groups())) if found else ()
         elif path.endswith(".f64"):
@@ -85,7 +85,7 @@ class Points:
         self.classes = [members for members in classes.values() if len(members) > 1]
 
 
-# ---- Theorem 1
+# ---- FC-CERT-02
 
 
 def face_of(simplex, turn, i):
@@ -354,7 +354,7 @@ def encode(triangulation):
             f"dimension {triangulation.dimension}\ncells {len(cells)}\n\n").encode() + body
 
 
-# ---- Theorem 2
+# ---- FC-CERT-03 to 05
 
 KINDS = ["0", "1", "2", "3", "[1,2]", "[1,3]", "[2,3]"]  # as a list has them, in the order of FC-OUT-02
 R12, R13, R23 = 4, 5, 6  # the places of kinds of regular points
@@ -416,7 +416,7 @@ class StationaryPoints:
         return k * dot(v, v) - dot(toward, v)
 
     def find_simplices(self):
-        """R1 to R3. A simplex has its centre inside iff each vertex is outside of the smallest sphere of the others:
+        """FC-CERT-04. A simplex has its centre inside iff each vertex is outside of the smallest sphere of the others:
         then it is on the same side of them as the centre. An edge always has."""
         stars = {}  # by simplex: link vertices on its smallest sphere, cells with all of theirs there, a facet; or None
         for c, cell in enumerate(self.cells):
@@ -439,8 +439,8 @@ class StationaryPoints:
         self.records += [(*self.kind_of(s, *star), s) for s, star in stars.items() if star]
 
     def kind_of(self, simplex, zeros, cells, facet):
-        """The kind and the contact set of a simplex that is stationary. In dimension 3, a of R1 is len(zeros), and b is
-        len(cells). Here the simplex itself may be the cell that has all its vertices on the sphere."""
+        """The kind and the contact set of a simplex that is stationary. In dimension 3, a and b of FC-CERT-04 are
+        len(zeros) and len(cells). Here the simplex itself may be the cell that has all its vertices on the sphere."""
         contact = self.on_sphere[cells[0][0]] if cells else self.circle(*facet) if facet else simplex
         if self.dimension < 3 or len(simplex) > 2 or not cells:
             return ((1, R12, 2), (2, R23, 3), (3,))[len(simplex) - 2][len(zeros)], contact

@@ -66,5 +66,8 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     std::cerr << "out of memory" << std::endl;
     return 2;
+  } catch (const std::ios_base::failure& failure) {  // what buffers throw where the system cannot read
+    std::cerr << failure.what() << std::endl;
+    return 2;
   }
 }

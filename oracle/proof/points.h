@@ -1,5 +1,4 @@
 // The points of a file, the vectors between them in each number type, and spheres through them.
-//
 // A row is known by its number, from 0. Rows of equal coordinates are one point, whose id is the first of them.
 #pragma once
 
@@ -58,7 +57,7 @@ class Points {
     return {difference(N{}, p, q, 0), difference(N{}, p, q, 1), difference(N{}, p, q, 2)};
   }
   // The sign of a polynomial, a function of the number type alone. 128 bits hold what it computes if coordinates on the
-  // grid are below 2^bits.
+  // grid are below 2^bits: a triangle's sphere is below 2^(6 bits + 13), two radii are below 2^(14 bits + 31).
   template <class Polynomial>
   int sign(const Polynomial& polynomial, int bits = 18) const {
     const Filtered filtered = polynomial.template operator()<Filtered>();
@@ -72,7 +71,7 @@ class Points {
     const std::string bytes = bytes_of_file(path);
     std::vector<Row> rows;
     const auto fail = [&](std::size_t row, const char* why) { cannot_decide(path + ":" + std::to_string(row) + why); };
-    if (path.ends_with(".xyz")) {
+    if (path.ends_with(".xyz") && !bytes.empty()) {
       for (const char* at = bytes.c_str(); at != bytes.c_str() + bytes.size();) {
         if (!read_row(at, rows.emplace_back())) fail(rows.size(), ": not three decimals with blanks between");
       }
@@ -81,7 +80,7 @@ class Points {
       rows.resize(bytes.size() / sizeof(Row));
       std::copy(bytes.begin(), bytes.end(), reinterpret_cast<char*>(rows.data()));
     } else {
-      cannot_decide(path + ": neither .xyz nor .f64 with 24 bytes a row");
+      cannot_decide(path + ": neither .xyz with points nor .f64 with 24 bytes a row");
     }
     for (std::size_t k = 0; k < rows.size(); ++k) {
       for (double& x : rows[k]) {
@@ -149,8 +148,8 @@ class Points {
 
 using Simplex = std::array<Id, 4>;  // one to four ids, then kNone
 
-// The circumcentre in the affine hull of the simplex is v[0] + numerator / (2 denominator). The denominator is the
-// volume for four vertices, and positive for fewer.
+// The circumcentre in the affine hull of the simplex is v[0] + numerator / (2 denominator): its product with each edge
+// at v[0] is half that edge's square. The denominator is the volume for four vertices, and positive for fewer.
 template <class N>
 struct Circumcenter {
   Vector<N> numerator;
@@ -167,7 +166,7 @@ Circumcenter<N> circumcenter(const Points& points, const Simplex& v) {
   return {cross(b, c) * dot(a, a) + cross(c, a) * dot(b, b) + ab * dot(c, c), dot(ab, c)};
 }
 
-// Negative, zero or positive as x is inside, on or outside, if the denominator is positive.
+// Negative, zero or positive as x is inside, on or outside. The denominator must be positive, as it is after T1.
 inline int side_of_sphere(const Points& points, const Simplex& v, Id x) {
   return points.sign([&]<class N>() {
     const auto [numerator, denominator] = circumcenter<N>(points, v);

@@ -202,11 +202,15 @@ class ProofTest(unittest.TestCase):
         self.assertEqual(told.count("\n") if status else 1, 1 if status == 1 else 0 if status else 1, told)
         return status, told + err.getvalue()
 
+    def scan(self, points):
+        """The file of the points. Text without points cannot be decoded, so these are raw."""
+        return self.file("p.xyz", text_of(points)) if points else self.file("p.f64", b"")
+
     def of_cells(self, points, cells, *more):
-        return self.run_proof(self.file("p.xyz", text_of(points)), "--cells", self.file("c.txt", rows(cells)), *more)
+        return self.run_proof(self.scan(points), "--cells", self.file("c.txt", rows(cells)), *more)
 
     def of_certificate(self, points, data, *more):
-        return self.run_proof(self.file("p.xyz", text_of(points)), self.file("p.fcert", data), *more)
+        return self.run_proof(self.scan(points), self.file("p.fcert", data), *more)
 
     def expect(self, result, status, *parts):
         self.assertEqual(result[0], status, result[1])
@@ -402,6 +406,7 @@ class ProofTest(unittest.TestCase):
                     b"1 2 1e999", b"1 2 .", b"1 2 -", b"1 2 1e", b"1 2 0x1", b"1 2 1d0", b"1 2 1E0", b"1 2 1_0",
                     "1 2 \u0663".encode(), b"1 2 3\r\r", b"1 2 3\0", b"\xff\xfe"):
             self.expect(self.run_proof(self.file("b.xyz", bad + b"\n" + good), "--cells", cells), 2, "b.xyz:1: ")
+        self.expect(self.run_proof(self.file("b.xyz", b""), "--cells", cells), 2, "b.xyz:1: ")
         raw = same["p.f64"]
         for data, row in ((raw + b"\0", 5), (raw[:-8] + struct.pack("<d", float("inf")), 4), (b"\0", 1)):
             self.expect(self.run_proof(self.file("b.f64", data), "--cells", cells), 2, f"b.f64:{row}: ")
