@@ -24,6 +24,9 @@ import unittest.mock
 from fractions import Fraction
 from pathlib import Path
 
+from certificate_bytes import certificate
+from exact_delaunay import determinant, dot, minus
+
 FOLDER = Path(os.environ.get("PROOF", str(Path(__file__).parents[2] / "spec")))
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(FOLDER))
@@ -51,34 +54,7 @@ def digest(points):
     return hashlib.sha256(data).hexdigest()
 
 
-def certificate(points, dimension, count, numbers, sha256=None):
-    body = bytearray()
-    for number in numbers:
-        while number >= 128:
-            body.append(number % 128 | 128)
-            number //= 128
-        body.append(number)
-    hashed = f"sha256 {sha256}\n" if sha256 else ""
-    head = f"flowcert-certificate 1\npoints {len(points)}\n{hashed}dimension {dimension}\ncells {count}\n\n"
-    return head.encode() + bytes(body)
-
-
 # ---- What is right, by trying all sets of points
-
-
-def determinant(matrix):
-    if not matrix:
-        return 1
-    first, *rest = matrix
-    return sum((-1) ** k * x * determinant([row[:k] + row[k + 1:] for row in rest]) for k, x in enumerate(first) if x)
-
-
-def minus(a, b):
-    return [x - y for x, y in zip(a, b)]
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
 
 
 def rank(vectors):
