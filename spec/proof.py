@@ -109,16 +109,14 @@ class Triangulation:
     def reject(self, condition, where, why):
         raise Rejected(self.verdict.format(f"{condition} {where}: {why}"))
 
-    def enter(self, cell, place=None, front=None):
-        """Adds a cell, and pairs its facets with open ones (T2). Its facet `place` belongs to the open facet `front`.
+    def enter(self, cell):
+        """Adds a cell, and pairs its facets with open ones (T2).
 
         The result has the facets that are open from now on: ((cell, place), sorted vertices)."""
         c, opened = len(self.cells), []
         self.cells.append(cell)
         self.mates.append([None] * len(cell))
-        if front:
-            self.pair((c, place), *front)
-        for i in [k for k in range(len(cell)) if k != place]:
+        for i in range(len(cell)):
             key, turn = face_of(cell, 0, i)
             other = self.facets.get(key)
             if other is None:
@@ -263,7 +261,7 @@ def glue(found, first, apex_behind):
     Two others are swapped, so that the new cell induces the opposite orientation on the facet."""
     stack = found.enter(first)
     while stack:
-        (c, i), key = front = stack.pop()
+        (c, i), key = stack.pop()
         if found.mates[c][i]:
             continue
         cell = list(found.cells[c])
@@ -273,7 +271,7 @@ def glue(found, first, apex_behind):
             continue
         j, k = (0, 1) if len(cell) == 2 else [place for place in range(len(cell)) if place != i][:2]
         cell[j], cell[k] = cell[k], cell[j]
-        stack += found.enter(tuple(cell), 1 - i if len(cell) == 2 else i, front)
+        stack += found.enter(tuple(cell))
 
 
 def read_certificate(path, points):

@@ -251,6 +251,7 @@ class ProofTest(unittest.TestCase):
         for numbers, words in (([*halves, 1], "T2 cell 2: a third cell at the facet, [1, 2], nothing is said of the"),
                                ([*halves, 2], "T2 cell 2: a second cell at a facet that was left unpaired, [0, 2]"),
                                ([*halves, 0, 4], "T2 cell 2: a second cell at a facet that was left unpaired, [0, 1]"),
+                               ([0, 1, 1, 5], "T2 cell 1: on the same side of the facet [1, 1] as cell 0"),
                                (strip, "T2 cell 4: on the same side of the facet [1, 2] as cell 0")):
             self.expect(self.of_certificate(points, certificate(points, 2, 9, numbers)), 1, words)
 
