@@ -45,10 +45,12 @@ class Certified:
 # ---- Faults of cells
 
 
-def flip(certified, is_on_top=False):
+def flip(certified, is_on_top=False, is_on_a_sphere=False):
     """The d+2 points of two cells have two triangulations. If all cells of the one are there, the other one's come."""
     for facet in certified.rng.sample(certified.inner, len(certified.inner)):
         one, other = certified.cells_at[facet]
+        if is_on_a_sphere and any(certified.volume.inside_sphere(one, p) for p in other):
+            continue
         points = sorted({*one, *other})
         simplices = [tuple(points[:i] + points[i + 1:]) for i in range(len(points))]
         signs = [(-1) ** i * certified.volume(simplex) for i, simplex in enumerate(simplices)]
@@ -62,7 +64,11 @@ def flip(certified, is_on_top=False):
 
 
 def flip_on_top(certified):
-    return flip(certified, True)
+    return flip(certified, is_on_top=True)
+
+
+def flip_on_a_sphere(certified):
+    return flip(certified, is_on_a_sphere=True)
 
 
 def hull_cell_taken_off(certified):
@@ -123,7 +129,7 @@ def another_row_of_a_class(certified):
     return encode(certified.points, renamed) if rows else None
 
 
-STRUCTURED = (flip, flip_on_top, hull_cell_taken_off, cell_taken_out, point_lost, third_cell_at_a_facet,
+STRUCTURED = (flip, flip_on_a_sphere, flip_on_top, hull_cell_taken_off, cell_taken_out, point_lost, third_cell_at_a_facet,
               facet_left_unpaired, cell_behind_the_hull, another_vertex, first_cell_mirrored, of_moved_points,
               another_row_of_a_class)
 

@@ -38,11 +38,11 @@ class Volumes:
     def __call__(self, simplex):
         return self.along(self.axes, simplex)
 
-    def is_inside(self, cell, p):
-        """Whether p is strictly inside the sphere of the cell, by the volume of what is lifted to a paraboloid."""
+    def inside_sphere(self, cell, p):
+        """Positive inside the sphere of the cell, 0 on it: the volume of what is lifted to a paraboloid."""
         from_p = [minus(self.points[q], self.points[p]) for q in cell]
         lifted = [[*(v[k] for k in self.axes), dot(v, v)] for v in from_p]
-        return determinant(lifted) * self(cell) * (-1) ** self.dimension > 0
+        return determinant(lifted) * self(cell) * (-1) ** self.dimension
 
     def are_in_hull(self, names):
         """Whether points are in the affine hull: determinants of Gram are 0."""
@@ -87,4 +87,4 @@ def is_delaunay(points, cells):
         if len(others) > 1 or any(here * other >= 0 if others else here * other < 0 for other in there):
             return False
     return (sum(abs(volume(cell)) for cell in cells) == volume.of_convex_hull(names)
-            and not any(volume.is_inside(cell, p) for cell in cells for p in names))
+            and all(volume.inside_sphere(cell, p) <= 0 for cell in cells for p in names))

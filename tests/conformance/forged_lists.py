@@ -58,7 +58,7 @@ def forged(text, rng):
         {key: change(values.get(key), rng)}))) for table in (RECORD, HEADER) for key, changes in table.items()
              for change in changes]
     k = record()
-    lists += [("missing record", lines[:k] + lines[k + 1:]), ("record twice", lines[:k] + lines[k - 1 + (k < 2):])]
+    lists += [("missing record", lines[:k] + lines[k + 1:]), ("record twice", lines[:k + 1] + lines[k:])]
     k = rng.randrange(1, len(lines) - 1)
     lists += [("order", [*lines[:k], lines[k + 1], lines[k], *lines[k + 2:]])]
     for where in (0, record()):
