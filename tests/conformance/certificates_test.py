@@ -19,7 +19,6 @@ import collections
 import contextlib
 import io
 import itertools
-import json
 import math
 import os
 import random

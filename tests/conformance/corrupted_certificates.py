@@ -129,9 +129,9 @@ def another_row_of_a_class(certified):
     return encode(certified.points, renamed) if rows else None
 
 
-STRUCTURED = (flip, flip_on_a_sphere, flip_on_top, hull_cell_taken_off, cell_taken_out, point_lost, third_cell_at_a_facet,
-              facet_left_unpaired, cell_behind_the_hull, another_vertex, first_cell_mirrored, of_moved_points,
-              another_row_of_a_class)
+STRUCTURED = (flip, flip_on_a_sphere, flip_on_top, hull_cell_taken_off, cell_taken_out, point_lost,
+              third_cell_at_a_facet, facet_left_unpaired, cell_behind_the_hull, another_vertex, first_cell_mirrored,
+              of_moved_points, another_row_of_a_class)
 
 
 def double_cover(rng):
