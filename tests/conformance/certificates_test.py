@@ -296,6 +296,7 @@ def main():
             prove_by_three_triangulations(name, rows, folder, rng)
             if len(failures) > before:
                 print("its files:", shutil.copytree(folder, tempfile.mkdtemp(), dirs_exist_ok=True))
+        expect(told["inputs"] == DRAWN + LARGE, f"{told['inputs']} of {DRAWN + LARGE} inputs were drawn")
         expect(told["with 3 triangulations"] > 0, "points of a sphere get the same cells in any order")
         for source in [*sorted((ROOT / "fuzz/regressions").glob("*.xyz")),
                        *([BUNNY] if BUNNY.exists() else []), *paper_tables.kitten(folder)]:
