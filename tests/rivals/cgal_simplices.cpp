@@ -7,8 +7,10 @@
 // inside of it), or alpha-epick or alpha-epeck (a simplex is claimed if its value in Alpha_shape_3's filtration is more
 // than those of its facets and less than those of its cofacets).
 // It is a small program as any user of CGAL may write it: nothing is done about ties and rounding. CGAL has both in
-// three dimensions alone, so flat inputs are refused. Each case is answered by a process of its own, so that one that
-// crashes is one refusal.
+// three dimensions alone, so flat inputs are refused.
+// KIND cells-epick and cells-epeck: the cells of the Delaunay triangulation, a line of ids each, for triangulations.py.
+// Flat inputs have triangles or edges. Each case is answered by a process of its own, so that one that crashes is one
+// refusal.
 #include <CGAL/Alpha_shape_3.h>
 #include <CGAL/Alpha_shape_cell_base_3.h>
 #include <CGAL/Alpha_shape_vertex_base_3.h>
@@ -66,6 +68,10 @@ void insert_rows(Triangulation& triangulation, const std::vector<Row>& rows) {
   points.reserve(rows.size());
   for (const Row& row : rows) points.emplace_back(typename Triangulation::Point(row[0], row[1], row[2]), points.size());
   triangulation.insert(points.begin(), points.end());
+}
+
+template <typename Triangulation>
+void refuse_flat(const Triangulation& triangulation) {
   if (triangulation.dimension() < 3) throw Refusal("flat: CGAL has this in three dimensions alone");
 }
 
@@ -78,6 +84,35 @@ auto corners_of(const Facet& facet) {
   return corners;
 }
 
+template <typename Kernel>
+struct Plain {
+  using Vertex = CGAL::Triangulation_vertex_base_with_info_3<std::size_t, Kernel>;
+  using Cell = CGAL::Delaunay_triangulation_cell_base_3<Kernel>;
+  using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
+};
+
+// ---- Cells ----
+
+template <typename Kernel>
+std::string cell_lines(const std::vector<Row>& rows) {
+  typename Plain<Kernel>::Delaunay delaunay;
+  insert_rows(delaunay, rows);
+  std::ostringstream lines;
+  const auto add = [&](const auto cell) {
+    for (int k = 0; k <= delaunay.dimension(); ++k) lines << (k > 0 ? " " : "") << cell->vertex(k)->info();
+    lines << "\n";
+  };
+  // A facet of dimension 2 and an edge of dimension 1 have all vertices of the cell they are given with.
+  if (delaunay.dimension() == 3) {
+    for (const auto cell : delaunay.finite_cell_handles()) add(cell);
+  } else if (delaunay.dimension() == 2) {
+    for (const auto& facet : delaunay.finite_facets()) add(facet.first);
+  } else if (delaunay.dimension() == 1) {
+    for (const auto& edge : delaunay.finite_edges()) add(edge.first);
+  }
+  return lines.str();
+}
+
 // ---- Gabriel tests ----
 
 template <typename Kernel>
@@ -88,11 +123,9 @@ bool is_acute(const typename Kernel::Point_3& p, const typename Kernel::Point_3&
 
 template <typename Kernel>
 std::string gabriel_claims(const std::vector<Row>& rows) {
-  using Vertex = CGAL::Triangulation_vertex_base_with_info_3<std::size_t, Kernel>;
-  using Cell = CGAL::Delaunay_triangulation_cell_base_3<Kernel>;
-  using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
-  Delaunay delaunay;
+  typename Plain<Kernel>::Delaunay delaunay;
   insert_rows(delaunay, rows);
+  refuse_flat(delaunay);
   std::string claims;
   for (const auto vertex : delaunay.finite_vertex_handles()) claims += claim_line({vertex->info()});
   for (const auto& edge : delaunay.finite_edges()) {
@@ -144,6 +177,7 @@ std::string alpha_claims(const std::vector<Row>& rows) {
   using Shape = CGAL::Alpha_shape_3<Delaunay>;
   Delaunay delaunay;
   insert_rows(delaunay, rows);
+  refuse_flat(delaunay);
   const Shape shape(delaunay, 0, Shape::GENERAL);
   std::vector<CGAL::Object> objects;
   std::vector<Number> numbers;
@@ -175,6 +209,8 @@ std::string claims_of(const std::string& kind, const std::vector<Row>& rows) {
   if (kind == "gabriel-epeck") return gabriel_claims<Epeck>(rows);
   if (kind == "alpha-epick") return alpha_claims<Epick>(rows);
   if (kind == "alpha-epeck") return alpha_claims<Epeck>(rows);
+  if (kind == "cells-epick") return cell_lines<Epick>(rows);
+  if (kind == "cells-epeck") return cell_lines<Epeck>(rows);
   throw std::invalid_argument("no kind: " + kind);
 }
 

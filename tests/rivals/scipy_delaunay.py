@@ -2,6 +2,7 @@
 
 KIND is plain, SciPy's own options, or joggled, Qhull's QJ. A simplex is claimed if its circumcentre, as computed in
 doubles, is inside of it, and no other point is nearer to it. There is no tolerance.
+KIND-cells: the cells themselves, as lines of ids, for triangulations.py.
 """
 
 from itertools import combinations
@@ -40,12 +41,15 @@ def is_critical(points, simplex):
 
 def answer_of(kind, rows):
     points = numpy.array(rows, dtype=float).reshape(-1, 3)
-    cells = Delaunay(points, qhull_options=OPTIONS[kind]).simplices
-    simplices = {tuple(sorted(face)) for cell in cells.tolist() for size in (1, 2, 3, 4)
+    options, _, what = kind.partition("-")
+    cells = Delaunay(points, qhull_options=OPTIONS[options]).simplices.tolist()
+    if what == "cells":
+        return "".join(" ".join(map(str, cell)) + "\n" for cell in cells)
+    simplices = {tuple(sorted(face)) for cell in cells for size in (1, 2, 3, 4)
                  for face in combinations(cell, size)}
     return "".join(f"{len(simplex) - 1},,,,,{','.join(map(str, simplex))}\n"
                    for simplex in sorted(simplices) if is_critical(points, simplex))
 
 
 if __name__ == "__main__":
-    answering.main(list(OPTIONS), answer_of)
+    answering.main([options + what for what in ("", "-cells") for options in OPTIONS], answer_of)
