@@ -218,6 +218,14 @@ def solved(matrix, right):
     return [row[-1] for row in rows]
 
 
+def dot(u, v):
+    return sum(a * b for a, b in zip(u, v))
+
+
+def squared(point, center):
+    return sum((Fraction(x) - c) ** 2 for x, c in zip(point, center))
+
+
 def sphere_facts(points, ids):
     """What is true of the smallest sphere through these points: fractions, straight from the definition.
 
@@ -225,12 +233,11 @@ def sphere_facts(points, ids):
     """
     corners = [[Fraction(x) for x in points[i]] for i in ids]
     edges = [[a - b for a, b in zip(corner, corners[0])] for corner in corners[1:]]
-    dot = lambda u, v: sum(a * b for a, b in zip(u, v))
     weights = solved([[2 * dot(u, v) for v in edges] for u in edges], [dot(u, u) for u in edges])
     if weights is None:
         return None
     center = [c + sum(w * e[k] for w, e in zip(weights, edges)) for k, c in enumerate(corners[0])]
-    squares = [dot(d, d) for d in ([Fraction(x) - c for x, c in zip(p, center)] for p in points)]
+    squares = [squared(p, center) for p in points]
     square = squares[ids[0]]
     return {"center": center, "square": square, "weights": [1 - sum(weights), *weights],
             "inside": sum(s < square for s in squares), "on": sum(s == square for s in squares)}
@@ -545,8 +552,8 @@ def self_test():
     assert kind_of_reason("flat: CGAL has this") == "flat"
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+def options_of(documentation):
+    parser = argparse.ArgumentParser(description=documentation.splitlines()[0])
     parser.add_argument("flowcert", nargs="?")
     parser.add_argument("folder", nargs="?")
     parser.add_argument("--seconds", type=float, default=30)
@@ -555,10 +562,15 @@ def main():
     parser.add_argument("--only", metavar="NAME", help="this program alone, and no persistence")
     parser.add_argument("--self-test", action="store_true")
     options = parser.parse_args()
+    if not options.self_test and options.folder is None:
+        parser.error("FLOWCERT and FOLDER are required")
+    return options
+
+
+def main():
+    options = options_of(__doc__)
     if options.self_test:
         self_test()
-    elif options.folder is None:
-        parser.error("FLOWCERT and FOLDER are required")
     else:
         report(options)
 
