@@ -12,6 +12,7 @@ Standard output is Markdown, and FOLDER/smallest/ has the smallest input for eac
 """
 
 import argparse
+import os
 import random
 import re
 import struct
@@ -97,7 +98,7 @@ def ask(program, cases):
     text = "".join(f"case {name} {len(rows)}\n" + "".join("{!r} {!r} {!r}\n".format(*row) for row in rows)
                    for name, rows in cases.items())
     said = subprocess.run(program.command, input=text, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
-                          timeout=rivals.VECTOR_LIMIT, check=True).stdout
+                          env={**os.environ, "OPENBLAS_NUM_THREADS": "1"}, timeout=rivals.VECTOR_LIMIT, check=True).stdout
     answers, lines = {}, iter(said.splitlines(keepends=True))
     for line in lines:
         outcome, name, *reason = line.split()
@@ -133,7 +134,7 @@ class Verdict:
     def __init__(self, rows, answer, folder):
         self.rows, self.lines = rows, answer[1]
         self.outcome, self.reason = judged(rows, answer[1], folder) if answer[0] == "answer" else answer
-        self.flaws = flaws(rows, cells_in(self.lines)) if self.outcome == "refuted" else {}
+        self.why = reason_by_fractions(rows, cells_in(self.lines), self.reason) if self.outcome == "refuted" else None
 
 
 def verdicts_on(program, cases):
@@ -157,50 +158,55 @@ def share(value):
 
 
 def flaws(points, cells):
-    """What is wrong with cells, {condition: a sentence}; the hull's conditions T4 to T7 are one. It shares no code with
-    proof.py. Empty balls, facets in pairs or on the hull, and no point left out make a Delaunay triangulation."""
-    first = {row: i for i, row in reversed(list(enumerate(map(tuple, points))))}
+    """What is wrong with cells, as (condition, sentence), in passes; T6 is of a hull that is not convex or not closed.
+    It shares no code with proof.py. There is none where balls are empty, facets are in pairs or on the hull, and no
+    point is left out."""
+    first = {tuple(row): i for i, row in reversed(list(enumerate(points)))}
     name = [first[tuple(row)] for row in points]
+    distinct = sorted(set(name))
     cells = [tuple(name[i] for i in cell) for cell in cells]
-    dimension = len(rivals.independent_part(points, sorted(set(name)))) - 1
+    dimension = len(rivals.independent_part(points, distinct)) - 1
     if any(len(cell) != dimension + 1 for cell in cells) or not cells and dimension > 0:
-        return {"T0": f"the points have dimension {dimension}"}
-    if dimension < 1:
-        return {}
-    found, facets = {}, {}
+        yield "T0", f"the points have dimension {dimension}"
+        return
+    flat = [cell for cell in cells if rivals.sphere_facts([points[p] for p in cell], range(dimension + 1)) is None]
+    yield from (("T1", f"the cell {in_words(cell)} is flat") for cell in flat)
+    if cells:
+        yield from (("T8", f"{p} is no vertex of a cell") for p in sorted(set(distinct).difference(*cells)))
+    cells, facets = [cell for cell in cells if cell not in flat], {}
     for cell in cells:
-        facts = rivals.sphere_facts(points, cell)
-        if facts is None:
-            found.setdefault("T1", f"the cell {cell} is flat")
-            continue
         for i, apex in enumerate(cell):
             facets.setdefault(tuple(sorted(cell[:i] + cell[i + 1:])), []).append((apex, cell))
-        if facts["inside"] and "T3" not in found:
-            depth = {p: 1 - rivals.squared(points[p], facts["center"]) / facts["square"] for p in set(name)}
-            p = max(depth, key=depth.get)
-            found["T3"] = (f"{p} is inside of the sphere of {cell}: its squared distance from the centre is "
-                           f"less than the squared radius by {share(depth[p])} of it")
     for facet, sides in facets.items():
+        (apex, cell), (other, second) = sides[0], sides[-1]
         if len(sides) > 2:
-            found.setdefault("T2", f"{len(sides)} cells have the facet {facet}")
-        elif len(sides) == 2:
-            (_, cell), (other, _) = sides
-            if place(points, cell, other)[cell.index(sides[0][0])] >= 0:
-                found.setdefault("T2", f"{cell} and {sides[1][1]} are on the same side of their common facet")
-        elif "T6" not in found:
-            apex, cell = sides[0]
-            beyond = [p for p in sorted(set(name)) if place(points, cell, p)[cell.index(apex)] < 0]
-            if beyond:
-                found["T6"] = f"only {cell} has the facet {facet}, and {beyond[0]} is beyond it"
-    for p in sorted(set(name).difference(*cells)):
-        found.setdefault("T8", f"{p} is no vertex of a cell")
-    return found
+            yield "T2", f"{len(sides)} cells have the facet {in_words(facet)}"
+        elif len(sides) == 2 and place(points, cell, other)[cell.index(apex)] >= 0:
+            yield "T2", f"{in_words(cell)} and {in_words(second)} are on the same side of their common facet"
+    for cell in cells:
+        facts = rivals.sphere_facts(points, cell)
+        if facts["inside"]:
+            depth, p = max((1 - rivals.squared(points[p], facts["center"]) / facts["square"], -p) for p in distinct)
+            yield "T3", f"{-p} is inside of the sphere of {in_words(cell)}, by {share(depth)} of the squared radius"
+    for facet, [(apex, cell), *others] in facets.items():
+        beyond = [p for p in distinct if not others and place(points, cell, p)[cell.index(apex)] < 0]
+        if beyond:
+            yield "T6", f"only {in_words(cell)} has the facet {in_words(facet)}, and {beyond[0]} is beyond it"
 
 
-def reason_by_hand(verdict):
-    condition = "T6" if verdict.reason in ("T4", "T5", "T7") else verdict.reason
-    text = verdict.flaws.get(condition) or next(iter(verdict.flaws.values()), "NOT CONFIRMED BY FRACTIONS")
-    return text.replace("(", "").replace(")", "").replace(",", "")
+def in_words(ids):
+    return " ".join(map(str, ids))
+
+
+def reason_by_fractions(points, cells, condition):
+    """A flaw of this condition, or else any; None if there is none. All of the hull's conditions are T6 here."""
+    sought = "T6" if condition in ("T4", "T5", "T7") else condition
+    any_flaw = None
+    for kind, text in flaws(points, cells):
+        if kind == sought:
+            return text
+        any_flaw = any_flaw or text
+    return any_flaw
 
 
 # ---- The report ----
@@ -246,7 +252,7 @@ def print_smallest(name, verdicts, folder):
         print(f"- {label}: {rivals.count_text(len(found), 'input')}; the smallest is {where}, "
               f"{rivals.count_text(count, 'point')}.")
         if outcome == "refuted":
-            print(f"  {reason_by_hand(verdict)}.")
+            print(f"  {verdict.why}.")
         stem = "".join(c if c.isalnum() else "-" for c in f"{name}-cells-{label}")
         text = "".join(" ".join(map(repr, row)) + "\n" for row in verdict.rows)
         (folder / f"{stem}.xyz").write_text(text)
@@ -280,7 +286,7 @@ def report(options):
     for name, of in everything.items():
         print_smallest(name, of, folder / "smallest")
     doubtful = [f"{name}, {where}: {v.reason}" for name, of in everything.items() for where, v in of.items()
-                if v.outcome == "refuted" and (name.startswith("cgal") or not v.flaws)]
+                if v.outcome == "refuted" and (name.startswith("cgal") or v.why is None)]
     print("".join(f"To be looked at: {one}\n" for one in doubtful), end="")
     return 1 if doubtful else 0
 
@@ -293,7 +299,7 @@ def self_test():
     with tempfile.TemporaryDirectory() as folder:
         def says(points, *cells):
             lines = "".join(" ".join(map(str, cell)) + "\n" for cell in cells)
-            return judged(points, lines, folder)[1], sorted(flaws(points, cells))
+            return judged(points, lines, folder)[1], sorted({kind for kind, _ in flaws(points, cells)})
         assert says(square, (0, 1, 2), (1, 2, 3)) == says(square, (3, 0, 1), (0, 2, 3)) == ("proved", [])
         assert says(square, (0, 1, 2), (0, 1, 3)) == ("T2", ["T2"] + ["T6"])
         assert says(square, (0, 1, 2)) == ("T8", ["T6", "T8"])
