@@ -98,7 +98,8 @@ def ask(program, cases):
     text = "".join(f"case {name} {len(rows)}\n" + "".join("{!r} {!r} {!r}\n".format(*row) for row in rows)
                    for name, rows in cases.items())
     said = subprocess.run(program.command, input=text, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
-                          env={**os.environ, "OPENBLAS_NUM_THREADS": "1"}, timeout=rivals.VECTOR_LIMIT, check=True).stdout
+                          env={**os.environ, "OPENBLAS_NUM_THREADS": "1"}, timeout=rivals.VECTOR_LIMIT,
+                          check=True).stdout
     answers, lines = {}, iter(said.splitlines(keepends=True))
     for line in lines:
         outcome, name, *reason = line.split()
@@ -247,7 +248,7 @@ def print_smallest(name, verdicts, folder):
     print(f"{name}:\n")
     folder.mkdir(parents=True, exist_ok=True)
     for (outcome, reason), found in sorted(kinds.items()):
-        count, where, verdict = min(found, key=lambda one: one[:2])
+        count, where, verdict = min(found, key=lambda one: (one[0], len(str(one[2].rows)), one[1]))
         label = f"{outcome} {reason}".replace("crashed crashed", "crashed").strip()
         print(f"- {label}: {rivals.count_text(len(found), 'input')}; the smallest is {where}, "
               f"{rivals.count_text(count, 'point')}.")
