@@ -155,7 +155,12 @@ def place(points, cell, p):
 
 
 def share(value):
-    return str(value) if len(str(value)) < 10 else f"{float(value):.3g}"
+    """As a fraction where it is short, as a power of two where it is less than any double."""
+    if len(str(value)) < 10:
+        return str(value)
+    if float(value) == 0:
+        return f"about 2^{value.numerator.bit_length() - value.denominator.bit_length()}"
+    return f"{float(value):.3g}"
 
 
 def flaws(points, cells):
@@ -316,6 +321,7 @@ def self_test():
         assert says([(1, 1, 1)] * 2) == says([]) == ("proved", [])
         assert judged(square, "0 1 4\n", folder)[0] == "unreadable"
     assert all(len(set(rows)) == len(rows) > 100 for rows in larger_inputs().values())
+    assert share(Fraction(2, 5)) == "2/5" and share(Fraction(1, 2**2000)) == "about 2^-2000"
     assert cases_in("# a\ncase a 1\n1 2 3\ncase b 0\n") == {"a": [(1, 2, 3)], "b": []}
 
 
