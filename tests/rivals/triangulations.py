@@ -7,7 +7,7 @@ The inputs are the conformance vectors, 50 drawn ones of each family, and larger
 only the points are asked: the programs print rows of points, line by line, and proof.py reads just these lines.
 Each refutation is confirmed by fractions, straight from the definition: a cell that is flat, a point inside of a
 sphere, cells on the same side of a facet, a point beyond the hull, or a point that is no vertex. Exit status 1 if one
-is not, or if a triangulation by CGAL's exact predicates is refuted: both would say that proof.py is wrong.
+is not, or if a triangulation by CGAL is refuted: either would say that proof.py is wrong.
 Standard output is Markdown, and FOLDER/smallest/ has the smallest input for each condition that fails.
 """
 
@@ -269,6 +269,8 @@ def print_smallest(name, verdicts, folder):
 def report(options):
     folder = Path(options.folder).resolve()
     asked = [p for p in programs(rivals.compiled(folder)) if options.only in (None, p.name)]
+    if not asked:
+        return 0
     flowcert = str(Path(options.flowcert).resolve())
     families = drawn_cases(flowcert, options.seed)
     vectors = {name.split(":")[1]: rows for name, rows in generated(flowcert, "--vectors").items()}
