@@ -69,7 +69,7 @@ def delaunay(points, rng):
     dimension = rank([minus(points[k], points[0]) for k in names])
     axes = next(some for some in itertools.combinations(range(3), dimension) if rank(
         [[v if k in some else 0 for k, v in enumerate(minus(points[p], points[0]))] for p in names]) == dimension)
-    lifted = {p: [points[p][k] for k in axes] + [dot(points[p], points[p]) * 2**99 + rng.randrange(2**40)]
+    lifted = {p: [points[p][k] for k in axes] + [dot(points[p], points[p]) * 2**1999 + rng.randrange(2**40)]
               for p in names}
     cells = []
     for cell in itertools.combinations(names, dimension + 1):

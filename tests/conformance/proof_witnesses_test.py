@@ -1,0 +1,231 @@
+#!/usr/bin/env python3
+"""proof_witnesses_test.py FLOWCERT_PROOF ROOT
+
+Every input of proof_py_test.py is one of flowcert-proof, too: as a certificate, and with the same verdict, the same
+condition where one alone fails, and the same line of a list. Further inputs, for both checkers: what doubles cannot
+tell at 2^-500, at 2^450, with subnormals, and by an ulp; small clusters beside far points; cells that are right for
+other points; and persistence pairs, found here by reducing the whole boundary matrix in fractions.
+tests/mutants/proof.py runs these inputs on faulty programs.
+"""
+# CITES: FC-CERT-02 FC-CERT-03 FC-CERT-04 FC-CERT-05 FC-CERT-06 FC-FILE-49 FC-FILE-50 FC-FILE-51
+import itertools
+import json
+import random
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import unittest.mock
+from fractions import Fraction
+from pathlib import Path
+
+import proof_py_test
+from proof_py_test import delaunay, dot, list_of, minus, proof, smallest_sphere, written
+
+CASES = []  # of the program: its arguments, the statuses that are right, and what has to be in its output
+
+
+def fault_of(program, case):
+    """What is wrong with the program's answer to a case, or None."""
+    arguments, statuses, words = case
+    try:
+        result = subprocess.run([program, *arguments], capture_output=True, timeout=20)
+    except subprocess.TimeoutExpired:
+        return "no answer"
+    told = result.stdout.decode(errors="backslashreplace")
+    if result.returncode in statuses and all(part in told for part in words):
+        return None
+    return f"{' '.join(arguments)}: not {statuses} {words}, but {result.returncode} {told[:400]}{result.stderr.decode()}"
+
+
+def pairs_of(points, cells):
+    """Persistence pairs of positive length: dimension, birth and death, which may be None. Of the alpha filtration."""
+    names = [k for k, point in enumerate(points) if points.index(point) == k]
+    faces = {face for cell in [*cells, *((p,) for p in names)] for size in range(1, len(cell) + 1)
+             for face in itertools.combinations(sorted(cell), size)}
+    values = {}
+    for face in sorted(faces, key=len, reverse=True):
+        center, squared, _ = smallest_sphere([points[p] for p in face])
+        is_empty = all(dot(minus(points[p], center), minus(points[p], center)) >= squared for p in names)
+        values[face] = squared if is_empty else min(values[one] for one in values if set(face) < set(one))
+    order = sorted(faces, key=lambda face: (values[face], len(face)))
+    columns, pairs, unpaired = {}, [], set()
+    for face in order:
+        column = {face[:k] + face[k + 1:] for k in range(len(face))} if len(face) > 1 else set()
+        while column:
+            last = max(column, key=order.index)
+            if last not in columns:
+                columns[last] = column
+                unpaired.remove(last)
+                pairs += [(len(last) - 1, values[last], values[face])] if values[last] != values[face] else []
+                break
+            column = column ^ columns[last]
+        else:
+            unpaired.add(face)
+    return sorted(pairs) + [(len(face) - 1, values[face], None) for face in unpaired]
+
+
+class WitnessTest(proof_py_test.ProofTest):
+    kept = None  # where the files of cases are
+    alone = None  # the condition that fails alone
+
+    is_damaged = False  # by chance, so that it may have several faults
+
+    def keep(self, arguments, statuses, *words):
+        files = []
+        for argument in arguments:
+            path = Path(argument)
+            if path.is_file():
+                path = self.kept / f"{len(CASES)}-{len(files)}-{path.name}"
+                path.write_bytes(Path(argument).read_bytes())
+            files.append(argument if argument == "--pairs" else str(path))
+        CASES.append((files, statuses, words))
+
+    def run_proof(self, *arguments):
+        result = super().run_proof(*arguments)
+        if self.alone and result[0] == 0:  # where this condition was not asked
+            return result
+        if "--cells" not in arguments:
+            self.keep_certificate(arguments, *result)
+        elif result[0] < 2 and (data := self.glued(*arguments[:3:2])) is not None:
+            certificate = (arguments[0], self.file("glued.fcert", data))
+            status, told = super().run_proof(*certificate)
+            if status < 2:  # cells that are not connected are no certificate
+                self.assertEqual(status, result[0], told)
+                self.keep_certificate(certificate, status, told)
+        return result
+
+    def glued(self, scan, cells):
+        """The certificate of cells that may be wrong, or None if there is none."""
+        def reject(_, condition, *why):
+            if condition not in ("T0", "T8"):
+                raise proof.Rejected(condition)
+
+        try:
+            with unittest.mock.patch.object(proof.Triangulation, "reject", reject):
+                return proof.encode(proof.read_cells(cells, proof.Points(scan)))
+        except (proof.Rejected, proof.Undecodable):
+            return None
+
+    def keep_certificate(self, arguments, status, told):
+        """The program is held to what proof.py told. It does not compare hashes, tells from the number of cells that
+        bytes are missing, before it looks at T2, reads headers of lists otherwise, and decimals with e alone."""
+        data, text = (Path(one).read_bytes() if Path(one).is_file() else b"" for one in (*arguments[1:], "")[:2])
+        if status and "sha256" in told or b"cells 9\n" in data or b"0E5" in text:
+            return
+        if status == 0 and "morse_smale" in told:
+            self.keep(arguments, {2})
+        elif status == 0:
+            self.keep(arguments, {0}, *told.split("\n")[:2])
+        elif self.alone:
+            self.keep(arguments, {1}, f"certificate rejected: {self.alone} ")
+        elif self.is_damaged:
+            self.keep(arguments, {1, 2})
+        elif status == 2 and (not text or "is not proved" in told):
+            self.keep(arguments, {2})
+        elif status == 1 and not re.search(": format(_version)? is ", told):
+            self.keep(arguments, {1}, re.match("certificate rejected: T|list refuted: line [0-9]+: ", told).group())
+
+    def expect_only(self, condition, points, cells):
+        self.alone = condition
+        super().expect_only(condition, points, cells)
+        self.alone = None
+
+
+    def damage(self, *arguments):
+        self.is_damaged = True
+        super().damage(*arguments)
+        self.is_damaged = False
+
+    # ---- Conditions
+
+    def test_T2_of_certificates_with_as_many_cells_as_they_say(self):
+        points = [(0, 0, 0), (4, 0, 0), (0, 4, 0), (5, 5, 0), (9, 9, 0)]
+        halves, strip = [0, 1, 2, 0, 0, 7], [0, 2, 1, 0, 5, 0, 5, 0, 5, 0, 6]
+        for numbers, words in (([*halves, 1, 0], "T2 cell 2 is the third one"),
+                               ([*halves, 2, 0], "T2 cell 2 is the second one at a facet that was left"),
+                               ([*halves, 0, 4], "T2 cell 2 is the second one at a facet that was left"),
+                               (strip, "T2 cell 4 is on another one's side")):
+            data = proof_py_test.certificate(points, 2, 5 if numbers is strip else 3, numbers)
+            self.expect(self.of_certificate(points, data), 1, "T2")
+            self.keep((str(self.folder / "p.xyz"), str(self.folder / "p.fcert")), {1}, words)
+
+    def test_T5_alone_in_connected_cells(self):
+        """Two turns around the point 0. The first cell lies beyond the inner turn."""
+        points = [(0, 0, 0), (83, 19, 0), (21, 78, 0), (-55, 39, 0), (-44, -29, 0), (-28, -39, 0), (34, 0, 0),
+                  (-23, 41, 0), (-3, -78, 0), (25, -77, 0), (-34, -8, 0), (9, -7, 0), (-10, -6, 0)]
+        cells = [(0, 3, 10), (10, 4, 5), (0, 1, 2), (5, 0, 10), (6, 0, 11), (12, 8, 9), (7, 8, 12), (5, 6, 11),
+                 (0, 7, 12), (3, 4, 10), (0, 9, 1), (0, 2, 3), (0, 5, 11), (9, 0, 12), (0, 6, 7)]
+        self.expect_only("T5", points, cells)
+
+    # ---- Numbers
+
+    def prove(self, points, cells, scale, kind):
+        """The list of points, which are integers here, times 2^scale."""
+        exact = [tuple(Fraction(x) * Fraction(2)**scale for x in point) for point in points]
+        self.assertTrue(all(float(x) == x for point in exact for x in point))
+        data = b"".join(struct.pack("<3d", *map(float, point)) for point in exact)
+        scan = self.file("p.f64", data) if kind == "raw" else self.file("p.xyz", proof_py_test.text_of(exact))
+        out = str(self.folder / "out.fcert")
+        text = self.file("c.txt", proof_py_test.rows(cells))
+        result = self.run_proof(scan, "--cells", text, "--from-cells", out)
+        if result[0] == 0:
+            records = self.file("l", written(list_of(exact)))
+            self.expect(self.run_proof(scan, out, records), 0)
+            if max(abs(x) for point in exact for x in point) < 2**500:
+                self.keep_pairs(scan, out, records, exact, cells)
+        return result[0]
+
+    def keep_pairs(self, scan, certificate, records, exact, cells):
+        pairs = pairs_of(exact, cells)
+        lines = ["# a comment"] + [f"{dimension} {float(birth)!r} {'inf' if death is None else repr(float(death))}"
+                                   for dimension, birth, death in pairs]
+        told = f"proved: all {len(pairs)} pairs, dimensions 0 to 2, "
+        for number, text in enumerate(["\n".join(lines), "\n".join(lines[1:]), "\n".join([*lines, lines[-1]]),
+                                       "\n".join(lines).replace("0 0.0 inf", "0 0.0 1e300")]):
+            file = self.file("p.pers", text.encode() + b"\n")
+            proved = number == 0 or text == "\n".join(lines) or number == 1
+            self.keep((scan, certificate, "--pairs", file), {0} if proved else {1},
+                      told + "as nearest doubles" if proved else "pairs refuted")
+
+    def test_drawn_inputs_at_many_scales(self):
+        rng = random.Random(453)
+        sphere = [p for p in itertools.product(range(-3, 4), repeat=3) if dot(p, p) == 9]
+        circle = [(x, y, 0) for x, y, z in itertools.product(range(-5, 6), range(-5, 6), (0,)) if x * x + y * y == 25]
+        statuses = []
+        for run in range(150):
+            base = [rng.sample(sphere, rng.randint(4, 7)), rng.sample(circle, rng.randint(3, 7)),
+                    list(itertools.product((0, 1), repeat=3)),
+                    [tuple(rng.randint(-3, 3) for _ in range(3)) for _ in range(6)]][run % 4]
+            if run % 3:
+                base += [(0, 0, 0)]
+            axes, signs = rng.sample(range(3), 3), rng.choices((1, -1), k=3)
+            base = [tuple(signs[k] * point[axes[k]] for k in range(3)) for point in base]
+            bits, scale = rng.choice([(0, 0), (0, -500), (0, 450), (0, -1074), (50, -50), (50, -550), (50, 400),
+                                      (40, -1074), (13, 0), (21, 0)])
+            points = [tuple((x << bits) + (rng.randint(-1, 1) if bits and x else 0) for x in point) for point in base]
+            if run % 5 == 4:  # a cluster beside a far point
+                far = rng.choice((60, 120, 180, 215, 270))
+                bits, scale, points = 0, rng.choice((-far, -far - 500)), [*base, (2**far, 2**far, 0)]
+            cells = delaunay(points if rng.random() < 0.5 or len(points) != len(base) else base, rng)[1]
+            statuses.append(self.prove(points, cells, scale, rng.choice(("raw", "text"))))
+        self.assertGreater(statuses.count(0), 60)
+        self.assertGreater(statuses.count(1), 5)
+
+
+def main():
+    program = sys.argv[1]
+    sys.argv[1:] = []
+    with tempfile.TemporaryDirectory() as folder:
+        WitnessTest.kept = Path(folder)
+        result = unittest.main(exit=False, argv=sys.argv[:1]).result
+        faults = [fault for case in CASES if (fault := fault_of(program, case))]
+        print("\n".join(faults))
+        print(f"{len(CASES)} inputs of the program, {len(faults)} of them with another answer")
+    return 0 if result.wasSuccessful() and not faults else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
