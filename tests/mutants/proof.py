@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+"""Plants small faults in both checkers of certificates, flowcert-proof and spec/proof.py, one at a time, and sees which
+of them the witnesses notice.
+
+usage: proof.py [--count N] [--seed S] [--all] [--jobs N] [--only TEXT]     runs mutants, and lists the survivors
+       proof.py --again FILE                                                runs those that a run has listed
+       proof.py --check                                                     sees that the lists below are up to date
+
+The faults of flowcert-proof are those of proof.json: each condition deleted, each sign and strictness, bounds of
+numbers, and what is compared. It is compiled with checks of its arithmetic and indices, and answers the inputs of
+tests/conformance/proof_witnesses_test.py. The faults of proof.py are made from its syntax tree, by the rules of
+tree_faults.py, and tried by tests/conformance/proof_py_test.py. Exit status: 0 if all are noticed.
+"""
+import functools
+import json
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from tree_faults import TreeFaults, main
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM, TESTS = ROOT / "oracle" / "proof", ROOT / "tests" / "conformance"
+TABLE = json.loads(Path(__file__).with_name("proof.json").read_text(encoding="utf-8"))
+COMPILE = ["g++", "-std=c++20", "-O0", "-ffp-contract=off", "-fsanitize=undefined", "-fno-sanitize-recover=all",
+           "-D_GLIBCXX_ASSERTIONS"]
+LEAST = 100
+# Mutants that behave as the original does, and why. They are not run.
+EQUIVALENT = {}
+
+
+def key_of(old, new):
+    return f"{old} -> {new or 'nothing'}"
+
+
+class ProofFaults(TreeFaults):
+    """Beside the faults of proof.py those of the table, whose number is the place in their file's list."""
+
+    def all(self):
+        texts = {name: (PROGRAM / name).read_text(encoding="utf-8") for name in TABLE}
+        return [(name, k, texts[name][:texts[name].find(old)].count("\n") + 1, key_of(old, new))
+                for name, faults in TABLE.items() for k, (old, new) in enumerate(faults)] + super().all()
+
+    def wrong(self):
+        wrong = super().wrong()
+        for name, faults in TABLE.items():
+            text = (PROGRAM / name).read_text(encoding="utf-8")
+            wrong += [f"{name}: not once, but {times} times: {old}" for old, _ in faults
+                      if (times := text.count(old)) != 1]
+        keys = [fault[-1] for fault in self.all() if fault[0] in TABLE]
+        wrong += [f"twice: {key}" for key in set(keys) if keys.count(key) > 1]
+        return wrong + ([] if len(keys) >= LEAST else [f"{len(keys)} faults of flowcert-proof, not {LEAST} or more"])
+
+    @functools.cached_property
+    def inputs(self):
+        """Those of flowcert-proof, with their answers; the function that judges one; and headers, compiled once."""
+        folder = self.scratch = tempfile.TemporaryDirectory(prefix="proof-inputs-")
+        sys.path.insert(0, str(TESTS))
+        import proof_witnesses_test as witnesses
+        witnesses.WitnessTest.kept = Path(folder.name)
+        tests = unittest.defaultTestLoader.loadTestsFromTestCase(witnesses.WitnessTest)
+        if not unittest.TextTestRunner(verbosity=0).run(tests).wasSuccessful():
+            raise SystemExit("the witnesses fail without a fault")
+        header = Path(folder.name, "headers.h")
+        sources = [path.read_text(encoding="utf-8") for path in sorted(PROGRAM.iterdir()) if path.suffix in (".h", ".cpp")]
+        header.write_text("\n".join(sorted({line for text in sources for line in text.split("\n")
+                                            if line.startswith("#include <")})) + "\n", encoding="utf-8")
+        subprocess.run([*COMPILE, "-x", "c++-header", header], check=True)
+        return witnesses, header
+
+    def run_tests(self, name, number, *options):
+        if name not in TABLE:
+            return super().run_tests(name, number, *options)
+        return self.unchanged if number is None else self.answers(name, *TABLE[name][number])
+
+    @functools.cached_property
+    def unchanged(self):
+        return self.answers("main.cpp", "", "")
+
+    def answers(self, name, old, new):
+        """How the program with a fault ends, which is compiled here, and the first input with a wrong answer."""
+        witnesses, header = self.inputs
+        with tempfile.TemporaryDirectory(prefix="mutant-") as folder:
+            for path in PROGRAM.iterdir():
+                text = path.read_text(encoding="utf-8")
+                Path(folder, path.name).write_text(text.replace(old, new) if path.name == name else text, encoding="utf-8")
+            program = Path(folder, "flowcert-proof")
+            built = subprocess.run([*COMPILE, "-include", header, "main.cpp", "-lgmpxx", "-lgmp", "-o", program],
+                                   cwd=folder, capture_output=True, text=True)
+            if built.returncode != 0:  # which is an error of the table
+                print(f"{name}: {key_of(old, new)} does not compile:\n{built.stderr[:800]}", flush=True)
+                return subprocess.CompletedProcess([], 0)
+            fault = next((fault for case in witnesses.CASES if (fault := witnesses.fault_of(program, case))), "")
+            return subprocess.CompletedProcess([program], 1 if fault else 0, "", fault)
+
+
+if __name__ == "__main__":
+    sys.exit(main(__doc__, ProofFaults(ROOT / "spec", ("proof.py",), TESTS / "proof_py_test.py", "PROOF", EQUIVALENT), 1))
