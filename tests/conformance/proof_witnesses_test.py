@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""proof_witnesses_test.py FLOWCERT_PROOF ROOT
+"""proof_witnesses_test.py FLOWCERT_PROOF
 
 Every input of proof_py_test.py is one of flowcert-proof, too: as a certificate, and with the same verdict, the same
 condition where one alone fails, and the same line of a list. Further inputs, for both checkers: what doubles cannot
