@@ -37,7 +37,8 @@ def fault_of(program, case):
     told = result.stdout.decode(errors="backslashreplace")
     if result.returncode in statuses and all(part in told for part in words):
         return None
-    return f"{' '.join(arguments)}: not {statuses} {words}, but {result.returncode} {told[:400]}{result.stderr.decode()}"
+    answer = f"{result.returncode} {told[:400]}{result.stderr.decode(errors='backslashreplace')}"
+    return f"{' '.join(arguments)}: not {statuses} {words}, but {answer}"
 
 
 def pairs_of(points, cells):
@@ -180,15 +181,14 @@ class WitnessTest(proof_py_test.ProofTest):
 
     def keep_pairs(self, scan, certificate, records, exact, cells):
         pairs = pairs_of(exact, cells)
-        lines = ["# a comment"] + [f"{dimension} {float(birth)!r} {'inf' if death is None else repr(float(death))}"
-                                   for dimension, birth, death in pairs]
-        told = f"proved: all {len(pairs)} pairs, dimensions 0 to 2, "
-        for number, text in enumerate(["\n".join(lines), "\n".join(lines[1:]), "\n".join([*lines, lines[-1]]),
-                                       "\n".join(lines).replace("0 0.0 inf", "0 0.0 1e300")]):
-            file = self.file("p.pers", text.encode() + b"\n")
-            proved = number == 0 or text == "\n".join(lines) or number == 1
-            self.keep((scan, certificate, "--pairs", file), {0} if proved else {1},
-                      told + "as nearest doubles" if proved else "pairs refuted")
+        lines = [f"{dimension} {float(birth)!r} {'inf' if death is None else repr(float(death))}"
+                 for dimension, birth, death in pairs]
+        told = f"proved: all {len(pairs)} pairs, dimensions 0 to 2, as nearest doubles"
+        endless = [line.replace("inf", "1e300") for line in lines]
+        for text, is_right in ((["# a comment", *lines[::-1]], True), ([*lines, lines[-1]], False), (lines[1:], False),
+                               (endless, False)):
+            file = self.file("p.pers", "".join(f"{line}\n" for line in text).encode())
+            self.keep((scan, certificate, "--pairs", file), {0 if is_right else 1}, told if is_right else "pairs refuted")
 
     def test_drawn_inputs_at_many_scales(self):
         rng = random.Random(453)

@@ -49,7 +49,8 @@ class ProofFaults(TreeFaults):
             text = (PROGRAM / name).read_text(encoding="utf-8")
             wrong += [f"{name}: not once, but {times} times: {old}" for old, _ in faults
                       if (times := text.count(old)) != 1]
-        wrong += [f"{name}: twice: {fault}" for name, faults in TABLE.items() for fault in faults if faults.count(fault) > 1]
+        wrong += [f"{name}: twice: {fault}" for name, faults in TABLE.items() for fault in faults
+                  if faults.count(fault) > 1]
         count = sum(map(len, TABLE.values()))
         return wrong + ([] if count >= LEAST else [f"{count} faults of flowcert-proof, not {LEAST} or more"])
 
@@ -64,9 +65,8 @@ class ProofFaults(TreeFaults):
         if not unittest.TextTestRunner(verbosity=0).run(tests).wasSuccessful():
             raise SystemExit("the witnesses fail without a fault")
         header = Path(folder.name, "headers.h")
-        sources = [path.read_text(encoding="utf-8") for path in sorted(PROGRAM.iterdir()) if path.suffix in (".h", ".cpp")]
-        header.write_text("\n".join(sorted({line for text in sources for line in text.split("\n")
-                                            if line.startswith("#include <")})) + "\n", encoding="utf-8")
+        lines = {line for path in PROGRAM.iterdir() for line in path.read_text(encoding="utf-8").split("\n")}
+        header.write_text("".join(f"{line}\n" for line in sorted(lines) if line.startswith("#include <")), "utf-8")
         subprocess.run([*COMPILE, "-x", "c++-header", header], check=True)
         return witnesses, header
 
@@ -85,7 +85,7 @@ class ProofFaults(TreeFaults):
         with tempfile.TemporaryDirectory(prefix="mutant-") as folder:
             for path in PROGRAM.iterdir():
                 text = path.read_text(encoding="utf-8")
-                Path(folder, path.name).write_text(text.replace(old, new) if path.name == name else text, encoding="utf-8")
+                Path(folder, path.name).write_text(text.replace(old, new) if path.name == name else text, "utf-8")
             program = Path(folder, "flowcert-proof")
             built = subprocess.run([*COMPILE, "-include", header, "main.cpp", "-lgmpxx", "-lgmp", "-o", program],
                                    cwd=folder, capture_output=True, text=True)
@@ -97,4 +97,5 @@ class ProofFaults(TreeFaults):
 
 
 if __name__ == "__main__":
-    sys.exit(main(__doc__, ProofFaults(ROOT / "spec", ("proof.py",), TESTS / "proof_py_test.py", "PROOF", EQUIVALENT), 1))
+    suite = ProofFaults(ROOT / "spec", ("proof.py",), TESTS / "proof_py_test.py", "PROOF", EQUIVALENT)
+    sys.exit(main(__doc__, suite, least_share=1))
