@@ -51,8 +51,6 @@ class JsonReader {
     while (std::isalnum(next()) != 0 || next() == '-' || next() == '+' || next() == '.') text += pass();
     return text;
   }
-
- private:
   void skip_value() {
     int depth = 0;
     const auto is_end = [&] { return depth == 0 && (next() == ',' || next() == '}'); };
@@ -62,6 +60,8 @@ class JsonReader {
       next() == '"' ? void(string()) : void(pass());
     } while (!is_end());
   }
+
+ private:
   char pass() {
     last_ = static_cast<char>(file_.rdbuf()->sbumpc());
     if (last_ == '\n') ++line_;
