@@ -42,8 +42,8 @@ struct SortedIds {
 
 class CertificateReader {
  public:
-  CertificateReader(const std::string& path, const Points& points)
-      : path_(path), points_(points), bytes_(bytes_of_file(path)) {}
+  CertificateReader(std::string name, std::string bytes, const Points& points)
+      : name_(std::move(name)), bytes_(std::move(bytes)), points_(points) {}
 
   Triangulation read() {
     read_header();
@@ -54,7 +54,7 @@ class CertificateReader {
   bool has_hash() const { return has_hash_; }
 
  private:
-  [[noreturn]] void fail(const std::string& why) const { cannot_decide(path_ + ": cannot be decoded: " + why); }
+  [[noreturn]] void fail(const std::string& why) const { cannot_decide(name_ + ": cannot be decoded: " + why); }
 
   bool take(const std::string& text) {
     const bool is_there = bytes_.compare(at_, text.size(), text) == 0;
@@ -160,9 +160,8 @@ class CertificateReader {
     }
   }
 
-  const std::string& path_;
+  const std::string name_, bytes_;
   const Points& points_;
-  const std::string bytes_;
   std::size_t at_ = 0, count_ = 0;  // where in the bytes; of the cells
   bool has_hash_ = false;
   Triangulation t_;

@@ -15,7 +15,7 @@ static void prove(const std::string& scan, const std::string& certificate, const
                   const std::string& pairs) {
   test_rounding();
   const Points points(scan);
-  CertificateReader reader(certificate, points);
+  CertificateReader reader(certificate, bytes_of_file(certificate), points);
   const Triangulation triangulation = reader.read();
   const std::vector<std::uint8_t> is_cospherical = DelaunayProof(points, triangulation).prove();
   std::cout << "proved: these " << triangulation.cells.size() << " cells are a Delaunay triangulation of "

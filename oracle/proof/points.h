@@ -35,8 +35,8 @@ inline bool read_decimal(const char*& at, double& x) {
 class Points {
  public:
   // Reads .xyz, three decimals a row, or .f64, three doubles a row, little-endian.
-  explicit Points(const std::string& path) {
-    const std::vector<Row> rows = read(path);
+  explicit Points(const std::string& path) : Points(read(path)) {}
+  explicit Points(const std::vector<Row>& rows) {  // finite ones
     find_ids(rows);
     find_grid(rows);
   }
