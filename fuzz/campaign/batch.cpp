@@ -10,6 +10,7 @@
 #include "fuzz/campaign/mutation.h"
 #include "fuzz/campaign/shrinking.h"
 #include "fuzz/inputs/input.h"
+#include "fuzz/inputs/large_family.h"
 #include "geometry/mixed_bits.h"
 
 namespace flowcert::fuzz {
@@ -98,6 +99,7 @@ class Batch {
 
   void look_at_signature(std::size_t number, const FreshTrial& drawn) {
     const property::Trial& trial = drawn.trial;
+    if (is_large(drawn.family)) return;  // mutants are small
     observer_.tries(number, drawn.family, "signature", trial);
     const DegeneracySignature signature = signature_of(trial.input);
     for (std::size_t k = 0; k < kSignatureSize; ++k) ++result_.tally.reached[k][signature.values[k]];
@@ -107,6 +109,7 @@ class Batch {
   }
 
   void hold(std::size_t number, const FreshTrial& drawn, const Property& property) {
+    if (is_large(drawn.family) && drawn.trial.input.rows.size() > property.most_rows) return;
     ++result_.tally.by_property[property.name];
     const auto judge = [&](const property::Trial& trial) {
       observer_.tries(number, drawn.family, property.name, trial);

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "fuzz/campaign/counterexample.h"
-#include "fuzz/inputs/stable_configurations.h"
+#include "fuzz/inputs/large_family.h"
 
 namespace flowcert::fuzz {
 
@@ -26,7 +26,7 @@ constexpr int kDialogueVersion = 5;
 constexpr std::uint64_t kMostWeight = 1'000'000;
 
 void require_family(const std::string& name) {
-  static const std::vector<Family> all = families_and_stable_ones();
+  static const std::vector<Family> all = named_families();
   if (std::none_of(all.begin(), all.end(), [&](const Family& one) { return one.name == name; })) {
     throw std::invalid_argument("no family is called '" + name + "'");
   }
@@ -174,11 +174,12 @@ constexpr int kAttempts = 4;
 
 TrialMix::TrialMix(const CampaignPlan& plan) : fewest_rows_(plan.fewest_rows), most_rows_(plan.most_rows) {
   std::uint64_t sum = 0;
-  for (const Family& family : families_and_stable_ones()) {
+  for (const Family& family : named_families()) {
     const auto named = std::find_if(plan.families.begin(), plan.families.end(),
                                     [&](const WeightedFamily& one) { return one.name == family.name; });
-    if (named == plan.families.end() && !plan.families.empty()) continue;
-    sum += plan.families.empty() ? 1 : named->weight;
+    const bool is_named = named != plan.families.end();
+    if (!is_named && (!plan.families.empty() || is_large(family.name))) continue;
+    sum += is_named ? named->weight : 1;
     sources_.push_back({family, family.generate(), sum});
   }
 }
@@ -201,6 +202,10 @@ std::size_t TrialMix::row_target(std::uint64_t dice) const {
 FreshTrial TrialMix::draw(std::uint64_t seed) const {
   rc::Random random(seed);
   const Source& from = source(random.next());
+  if (is_large(from.family.name)) {
+    Input input = from.generator(rc::Random(random.next()), kLargestSize).value();
+    return {{std::move(input), draw_start(random.next())}, from.family.name};
+  }
   const std::size_t target = row_target(random.next());
   Input input;
   for (int attempt = 0; attempt < kAttempts && (attempt == 0 || input.rows.size() < target); ++attempt) {

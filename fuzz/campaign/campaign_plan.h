@@ -39,7 +39,7 @@ struct Shard {
 
 struct CampaignPlan {
   std::uint64_t seed = 1;
-  std::vector<WeightedFamily> families;  // empty: all of them alike
+  std::vector<WeightedFamily> families;  // empty: all of them alike, but for the large one
   std::size_t fewest_rows = 0;
   std::size_t most_rows = kMostRowsOfTrial;
   std::size_t searched_percent = 30;    // so many cases of 100 are mutants
@@ -83,7 +83,7 @@ struct CampaignPlan {
 //
 // Guarantees: a case is a function of plan and seed. The number of rows lies between the plan's bounds if the family
 // allows it. An input that is too large loses rows. An input that is too small is drawn again a few times, and then
-// the largest one is taken.
+// the largest one is taken. The large family has its own sizes, and is drawn only if the plan names it.
 struct FreshTrial {
   property::Trial trial;
   std::string family;

@@ -72,7 +72,7 @@ class Shrinking {
         auto& rows = candidate.input.rows;
         const auto from = rows.begin() + static_cast<std::ptrdiff_t>(first);
         rows.erase(from, from + static_cast<std::ptrdiff_t>(block));
-        if (!accept(std::move(candidate))) ++first;
+        if (!accept(std::move(candidate))) first += std::max<std::size_t>(1, block / 16);  // it is 1 for small inputs
       }
     }
     return best_.trial.input.rows.size() < before;

@@ -29,6 +29,7 @@
 #include "fuzz/campaign/child_process.h"
 #include "fuzz/campaign/counterexample.h"
 #include "fuzz/campaign/shrinking.h"
+#include "fuzz/inputs/large_family.h"
 #include "fuzz/properties/property.h"
 
 namespace flowcert::fuzz {
@@ -46,7 +47,7 @@ struct Place {
   std::uint64_t number = 0;
   std::array<char, 64> source{}, property{};
   std::size_t rows = 0;
-  std::array<Row, kMostRowsOfTrial> row{};
+  std::array<Row, kMostRowsOfLarge> row{};
   bool has_choice = false;
   property::StartKind kind{};
   std::size_t numbers = 0;

@@ -20,7 +20,7 @@
 #include "cli/progress.h"
 #include "cli/table.h"
 #include "flowcert/point_set.h"
-#include "fuzz/inputs/stable_configurations.h"
+#include "fuzz/inputs/large_family.h"
 #include "fuzz/judge/peer_property.h"
 #include "io/diagnostic.h"
 #include "io/foreign_text.h"
@@ -61,8 +61,8 @@ namespace fs = std::filesystem;
 constexpr double kLongestSeconds = 366.0 * 86400;
 constexpr std::size_t kMostMebibytes = std::size_t{1} << 24;
 constexpr std::size_t kMostShards = 1'000'000;
-// Each case of a command takes a process, so a batch of a thousand cases would take long.
-constexpr std::size_t kCasesOfPeerBatch = 100;
+// A case that takes a process, or is large, takes long, and so would a batch of a thousand of them.
+constexpr std::size_t kCasesOfSlowBatch = 100;
 // At most so many inputs of a corpus folder are used, the first ones by name.
 constexpr std::size_t kMostOfCorpus = 2000;
 
@@ -101,6 +101,11 @@ std::string complaint_about_property(const std::string& name) {
   std::string names;
   for (const auto& one : property::properties()) names += (names.empty() ? "" : ", ") + one.name;
   return fmt::format("no property is called {}; there are: {}", in_quotes(name), names);
+}
+std::string no_command_for_self(std::string& command) {
+  if (command != "self") return complaint_about_missing_in(command);
+  command.clear();
+  return "";
 }
 std::string complaint_about_reason(const std::string& name) {
   const std::vector<std::string> kinds = peer_kinds();
@@ -194,6 +199,17 @@ fuzz::Campaign resumed_campaign(const FuzzOptions& options) {
   return campaign;
 }
 
+bool draws_large(const fuzz::CampaignPlan& plan) {
+  return std::ranges::any_of(plan.families, [](const auto& family) { return fuzz::is_large(family.name); });
+}
+void require_property_for_large(const fuzz::CampaignPlan& plan) {
+  const auto takes = [](const auto& property) { return property.most_rows >= fuzz::kMostRowsOfLarge; };
+  const bool is_taken = plan.against.empty() && std::ranges::any_of(fuzz::own_properties(plan), takes);
+  if (draws_large(plan) && !is_taken) {
+    throw InvalidInput("--families large: only the property certificate takes so many points");
+  }
+}
+
 fuzz::Campaign new_campaign(const FuzzOptions& options) {
   if (!options.count && !options.seconds && !options.stops_at_first && !options.only) {
     throw InvalidInput("one of --count and --time is required: when is it enough?");
@@ -204,6 +220,7 @@ fuzz::Campaign new_campaign(const FuzzOptions& options) {
   if (plan.against.empty() && !plan.ignored.empty()) {
     throw InvalidInput("--ignore needs --against, --through or --persistence-against");
   }
+  require_property_for_large(plan);
   const std::string findings = fmt::format("flowcert-fuzz-{}", options.seed);
   if (!options.out.empty()) {
     require_new_folder(options.out);
@@ -259,8 +276,9 @@ void add_property_options(CLI::App& command, FuzzOptions& options) {
   command
       .add_option("--against", options.against,
                   "Another implementation's command instead: {in} stands for a file of points, {out} for the "
-                  "file to write its claim to; without {out}, standard output is the claim")
-      ->check(complaint_about_missing_in)
+                  "file to write its claim to; without {out}, standard output is the claim; 'self': Flowcert, as "
+                  "without this")
+      ->transform(CLI::Validator(no_command_for_self, ""))
       ->excludes(property);
   command
       .add_option("--through", options.through,
@@ -356,9 +374,10 @@ fuzz::CampaignPlan plan_of(const FuzzOptions& options) {
   plan.time_limit_seconds = options.time_limit.value_or(plan.time_limit_seconds);
   plan.memory_limit_mebibytes = options.memory_limit.value_or(plan.memory_limit_mebibytes);
   if (!plan.against.empty()) {
-    plan.batch_cases = kCasesOfPeerBatch;
+    plan.batch_cases = kCasesOfSlowBatch;
     plan.fewest_rows = 1;
   }
+  if (draws_large(plan)) plan.batch_cases = kCasesOfSlowBatch;
   if (const auto range = two_numbers(options.points, '-')) {
     plan.fewest_rows = range->first;
     plan.most_rows = range->second;
@@ -414,7 +433,7 @@ double hang_seconds(const fuzz::CampaignPlan& plan, const FuzzOptions& options) 
 
 void print_families() {
   std::vector<std::vector<std::string>> rows;
-  for (const fuzz::Family& family : fuzz::families_and_stable_ones()) {
+  for (const fuzz::Family& family : fuzz::named_families()) {
     rows.push_back({family.name, family.description});
   }
   print_columns(rows, "ll");

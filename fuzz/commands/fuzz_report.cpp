@@ -50,9 +50,15 @@ void print_part(const char* title, const Rows& rows, std::string_view alignment)
 
 void print_sizes(const fuzz::Tally& tally) {
   Rows rows{{"points", "cases", "cases/s of one job"}};
+  const auto add = [&](const std::string& points, const fuzz::RowsTally& of) {
+    rows.push_back({points, with_commas(of.cases), fmt::format("{:.0f}", rate_of(of))});
+  };
+  fuzz::RowsTally large;
   for (const auto& [count, of] : tally.by_rows) {
-    rows.push_back({std::to_string(count), with_commas(of.cases), fmt::format("{:.0f}", rate_of(of))});
+    if (count <= fuzz::kMostRowsOfTrial) add(std::to_string(count), of);
+    if (count > fuzz::kMostRowsOfTrial) large = {large.cases + of.cases, large.seconds + of.seconds};
   }
+  if (large.cases > 0) add("more", large);
   print_part("By number of points:", rows, "rrr");
 }
 

@@ -9,7 +9,7 @@
 #include "fuzz/commands/fuzz_options.h"
 #include "fuzz/inputs/case_stream.h"
 #include "fuzz/inputs/families.h"
-#include "fuzz/inputs/stable_configurations.h"
+#include "fuzz/inputs/large_family.h"
 #include "fuzz/judge/drawn_cases.h"
 
 namespace flowcert::commands {
@@ -47,7 +47,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
       .add_option("--family", options.families,
                   fmt::format("Cases of this family of degeneracy; may be given again. All of them, without this: {} "
                               "of the {} families that flowcert fuzz --families list prints",
-                              fuzz::families().size(), fuzz::families_and_stable_ones().size()))
+                              fuzz::families().size(), fuzz::named_families().size()))
       ->check(complaint_about_family)
       ->allow_extra_args(false)
       ->type_name("NAME");

@@ -110,6 +110,18 @@ Gaussian off_centre(Integer radius, Dice& dice) {
   return {centre[0] * unit + dice.between(0, unit / 100), centre[1] * unit + dice.between(0, unit / 100)};
 }
 
+// Takes so many of the list, each as likely as any other, and keeps their order.
+Input choice_of(const IntegerPoints& list, std::size_t count, Dice& dice) {
+  IntegerPoints chosen;
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const auto left = static_cast<Integer>(list.size() - k), wanted = static_cast<Integer>(count - chosen.size());
+    if (dice.between(1, left) <= wanted) chosen.push_back(list[k]);
+  }
+  return to_input(chosen);
+}
+
+void require_ties(std::size_t points) { require(points >= 1 && points <= 100'000, "1 to 100,000 points"); }
+
 constexpr Integer kCell = 64;                // of the shell's grid
 constexpr Integer kStep = Integer{1} << 24;  // from tooth to tooth
 
@@ -176,6 +188,87 @@ Input long_cascade(std::size_t points, std::uint64_t seed) {
     combs.push_back(tooth(k));
   }
   return to_input(combs);
+}
+
+// ---- Ties everywhere ----
+
+Input lattice_piece(std::size_t points, std::uint64_t seed) {
+  require_ties(points);
+  Dice dice(seed);
+  const auto least = static_cast<Integer>(points) * 8 / 7 + 1;
+  Integer side = 1;
+  while (side * side * side < least) ++side;
+  const Integer a = dice.between(side / 2 + 1, 2 * side), b = dice.between(side / 2 + 1, 2 * side);
+  const Integer c = least / (a * b) + 1;
+  const IntegerPoint edges{dice.between(1, 3), dice.between(1, 3), dice.between(1, 3)};
+  IntegerPoints box;
+  for (Integer x = 0; x < a; ++x) {
+    for (Integer y = 0; y < b; ++y) {
+      for (Integer z = 0; z < c; ++z) box.push_back({x * edges[0], y * edges[1], z * edges[2]});
+    }
+  }
+  return choice_of(box, points, dice);
+}
+
+Input lattice_layers(std::size_t points, std::uint64_t seed) {
+  require_ties(points);
+  Dice dice(seed);
+  const Integer layers = dice.between(2, 6);
+  const auto of_layer = static_cast<Integer>(points) * 8 / 7 / layers + 1;
+  const auto side = static_cast<Integer>(std::sqrt(static_cast<double>(of_layer))) + 1;
+  IntegerPoints all;
+  Integer z = 0;
+  for (Integer layer = 0; layer < layers; ++layer) {
+    const Integer shift_x = dice.between(0, 3), shift_y = dice.between(0, 3);
+    z += dice.between(1, 6);
+    for (Integer x = 0; x < side; ++x) {
+      for (Integer y = 0; y < side; ++y) all.push_back({2 * x + shift_x, 2 * y + shift_y, z});
+    }
+  }
+  return choice_of(all, points, dice);
+}
+
+Input integer_spheres(std::size_t points, std::uint64_t seed) {
+  require_ties(points);
+  Dice dice(seed);
+  const Integer first = dice.between(100, 10'000);
+  IntegerPoints all;
+  for (Integer norm = first; all.size() < points; ++norm) {
+    const auto reach = static_cast<Integer>(std::sqrt(static_cast<double>(norm)));
+    for (Integer x = -reach; x <= reach; ++x) {
+      for (Integer y = -reach; y <= reach; ++y) {
+        const Integer square = norm - x * x - y * y;
+        const Integer z = square < 0 ? 0 : rounded(std::sqrt(static_cast<double>(square)));
+        if (z * z != square) continue;
+        all.push_back({x, y, z});
+        if (z > 0) all.push_back({x, y, -z});
+      }
+    }
+  }
+  return choice_of(all, points, dice);
+}
+
+// The circle and the sphere are parametrised rationally, with parameters u / kParts and v / kParts.
+Input rounded_capsule(std::size_t points, std::uint64_t seed) {
+  require_ties(points);
+  constexpr Integer kParts = 1000;
+  Dice dice(seed);
+  const Integer radius = dice.between(16, 200), half_length = dice.between(0, 2 * radius);
+  IntegerPoints all;
+  while (all.size() < points) {
+    const Integer u = dice.between(-2 * kParts, 2 * kParts), v = dice.between(-2 * kParts, 2 * kParts);
+    const bool is_on_cylinder = dice.between(0, 2) == 0, is_below = dice.between(0, 1) == 0;
+    const Integer norm = kParts * kParts + u * u + (is_on_cylinder ? 0 : v * v);
+    const Integer y = nearest_integer(2 * kParts * u * radius, norm);
+    const Integer along = nearest_integer((norm - 2 * kParts * kParts) * radius, norm);
+    if (is_on_cylinder) {
+      all.push_back({along, y, dice.between(-half_length, half_length)});
+    } else {
+      const Integer z = std::abs(along) + half_length;
+      all.push_back({nearest_integer(2 * kParts * v * radius, norm), y, is_below ? -z : z});
+    }
+  }
+  return to_input(all);
 }
 
 }  // namespace flowcert::fuzz

@@ -2,9 +2,9 @@
 // do tests that need more points than a family may have.
 //
 // Guarantees: a function of the arguments alone, the same on every machine; no RapidCheck. All coordinates
-// are integers below 2^51 in magnitude, all rows are distinct. What is said of facets and cascades holds
-// exactly; families_test checks it in exact arithmetic, on some hundreds of points. A size that a function
-// cannot serve throws std::invalid_argument.
+// are integers below 2^51 in magnitude, all rows are distinct unless it is said that they repeat. What is said of
+// facets and cascades holds exactly; families_test checks it in exact arithmetic, on some hundreds of points. A size
+// that a function cannot serve throws std::invalid_argument.
 #pragma once
 
 #include <cstddef>
@@ -38,5 +38,18 @@ Input half_shell(std::size_t points, std::uint64_t seed);
 // flow enters the strip. The last two rows and row 3 make another, from which the way back leads through the whole
 // strip.
 Input long_cascade(std::size_t points, std::uint64_t seed);
+
+// ---- Ties everywhere ----
+// Nearly every Voronoi vertex of these is that of more than four points. There are 1 to 100,000 points.
+
+// Points of a box of a lattice with edges of 1 to 3, and holes: an eighth of its points is missing, or more.
+Input lattice_piece(std::size_t points, std::uint64_t seed);
+// Planes of a square lattice, shifted against each other by whole or half edges, at distances of 1 to 6. They have
+// holes.
+Input lattice_layers(std::size_t points, std::uint64_t seed);
+// Points of x²+y²+z² = N, of x²+y²+z² = N + 1, and so on: concentric spheres close to each other.
+Input integer_spheres(std::size_t points, std::uint64_t seed);
+// A cylinder that ends in two half spheres, rounded to a grid of 16 to 200 cells in its radius. Rows may repeat.
+Input rounded_capsule(std::size_t points, std::uint64_t seed);
 
 }  // namespace flowcert::fuzz

@@ -12,6 +12,7 @@
 #include "flowcert/stable_manifolds.h"
 #include "flowcert/unstable_manifolds.h"
 #include "fuzz/properties/account_of_parts.h"
+#include "fuzz/properties/certificate.h"
 #include "fuzz/properties/orbit_comparison.h"
 #include "fuzz/properties/stable_pieces.h"
 #include "fuzz/properties/stationary_comparison.h"
@@ -319,6 +320,10 @@ std::optional<Disagreement> check_stable_kernels(const Trial& trial) {
   return std::nullopt;
 }
 
+std::optional<Disagreement> check_certificate(const Trial& trial) {
+  return disproof(trial.input, certified_answer(subject_of(trial.input).complex));
+}
+
 std::optional<Disagreement> check_threads(const Trial& trial) {
   const auto with = [&](unsigned threads) {
     return account_of_parts(FlowComplex(point_set_of(trial.input), {.threads = threads}));
@@ -379,6 +384,10 @@ const std::vector<Property>& properties() {
        .description = "stable sets and boundaries, the lazy kernel against cascade and exact",
        .one_in = 8,
        .check = check_stable_kernels},
+      {.name = "certificate",
+       .description = "all stationary points and persistence pairs, proved from the certificate by its checker",
+       .most_rows = kAnyRows,
+       .check = check_certificate},
       {.name = "threads",
        .description = "all parts of the complex, made by 2, 3 and 8 threads, against one thread",
        .one_in = 0,

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -36,6 +37,8 @@ struct Disagreement {
   std::string second_name, second;
 };
 
+inline constexpr std::size_t kAnyRows = std::numeric_limits<std::size_t>::max();
+
 struct Property {
   std::string name;  // kebab-case
   std::string description;
@@ -55,6 +58,7 @@ struct Property {
 // What flows does so twice, by the usual kernel and by the lazy one with binary search, whichever is the usual one.
 // orbit-kernels, unstable-kernels and stable-kernels: the fast implementation against itself, kernel by kernel.
 // threads: the same, by numbers of threads. It is for a campaign of its own, under ThreadSanitizer.
+// certificate: the fast implementation against the certificate checker, on inputs of any size.
 [[nodiscard]] const std::vector<Property>& properties();
 // Nothing for a name that is no property's.
 [[nodiscard]] const Property* property_named(std::string_view name);

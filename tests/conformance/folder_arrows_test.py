@@ -32,7 +32,7 @@ ARROWS = {
     "oracle/program": ["oracle/fast"],
     "oracle/proof": [],
     "fuzz/inputs": ["src/geometry"],
-    "fuzz/properties": ["fuzz/inputs", "oracle/fast", "src/io"],
+    "fuzz/properties": ["fuzz/inputs", "oracle/fast", "oracle/proof", "src/io"],
     "fuzz/campaign": ["fuzz/properties", "oracle/program"],
     "fuzz/judge": ["fuzz/properties", "src/certify/programs"],
     "fuzz/commands": ["fuzz/campaign", "fuzz/judge", "src/cli"],

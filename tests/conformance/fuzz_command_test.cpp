@@ -13,7 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "fuzz/inputs/stable_configurations.h"
+#include "fuzz/inputs/large_family.h"
 #include "tests/cites.h"
 #include "tests/conformance/campaign_account.h"
 #include "tests/conformance/case_texts.h"
@@ -49,12 +49,12 @@ TEST(FuzzCommand, ListsFamiliesWithASentenceEach) {
     ++families;
     EXPECT_GE(line.size(), 40U) << line;
   }
-  EXPECT_EQ(families, fuzz::families_and_stable_ones().size());
+  EXPECT_EQ(families, fuzz::named_families().size());
   EXPECT_NE(finished.out.find("box-corners"), std::string::npos);
 }
 
 TEST(FuzzCommand, HoldsAllPropertiesOnASmallCampaign) {
-  CITES("FC-CRIT-05", "FC-FLOW-02", "FC-STAB-04", "FC-PERS-05", "FC-INV-01");
+  CITES("FC-CRIT-05", "FC-FLOW-02", "FC-STAB-04", "FC-PERS-05", "FC-INV-01", "FC-CERT-03", "FC-CERT-06");
   const Scratch scratch;
   const json report =
       campaign({"--count", "600", "--seed", "5", "--points", "0-7", "--jobs", "2", "--out", scratch.path("campaign")});
@@ -63,8 +63,8 @@ TEST(FuzzCommand, HoldsAllPropertiesOnASmallCampaign) {
   EXPECT_GE(report.at("signatures"), 100);
   EXPECT_EQ(report.at("by_property").at("critical-points"), 600);
   EXPECT_EQ(report.at("by_property").at("orbit"), 600);
-  for (const char* name :
-       {"unstable-manifolds", "stable-sets", "persistence", "orbit-kernels", "unstable-kernels", "stable-kernels"}) {
+  for (const char* name : {"certificate", "unstable-manifolds", "stable-sets", "persistence", "orbit-kernels",
+                           "unstable-kernels", "stable-kernels"}) {
     EXPECT_GE(report.at("by_property").at(name), 15) << name;
   }
   EXPECT_GE(report.at("by_family").at("mutant"), 100);
@@ -74,6 +74,18 @@ TEST(FuzzCommand, HoldsAllPropertiesOnASmallCampaign) {
   EXPECT_GE(report.at("reached").at("polygon").size(), 3U);
   EXPECT_GE(report.at("reached").at("cascade").size(), 3U);
   EXPECT_FALSE(fs::exists(scratch.path("campaign") + "/findings"));
+}
+
+TEST(FuzzCommand, ProvesLargeInputsFromTheirCertificates) {
+  CITES("FC-CERT-02", "FC-CERT-03", "FC-CERT-06");
+  const Words plan{"--count", "4", "--families", "large"};
+  const json report = campaign(joined(plan, {"--against", "self"}));
+  EXPECT_EQ(report.at("by_property"), json({{"certificate", 4}}));
+  EXPECT_EQ(report.at("failing_cases"), 0);
+  EXPECT_EQ(campaign(joined(plan, {"--property", "certificate", "--jobs", "2"})), report);
+  const Finished refused = flowcert(joined({"fuzz", "--property", "orbit"}, plan));
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("only the property certificate"), std::string::npos) << refused.err;
 }
 
 TEST(FuzzCommand, IsTheSameWithAnyNumberOfJobsAndParts) {
