@@ -4,8 +4,9 @@
 // the cases that are left out; only times are not. A case is fresh (campaign_plan.h) or a mutant (mutation.h). The
 // parent of a mutant is an input that showed a new signature earlier in the batch, or an input of the plan's corpus.
 // The first disagreement of a kind in the batch is reported as it is, and then shrunk; so are all others if the plan
-// wants it. A case of the large family has no signature, and is held to properties that take it. Otherwise the others are listed by their case numbers only, and BatchOrder::only makes such a case again.
-// What is not small when the batch is stopped is reported as small as it is by then.
+// wants it. Otherwise the others are listed by their case numbers only, and BatchOrder::only makes such a case again.
+// What is not small when the batch is stopped is reported as small as it is by then. A case of the large family has no
+// signature, so it is no parent, and is held only to properties that take so many rows.
 #pragma once
 
 #include <chrono>

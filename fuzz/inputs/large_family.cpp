@@ -14,14 +14,14 @@ constexpr std::array kMakers{lattice_piece, lattice_layers, integer_spheres, rou
 
 // Small sizes come more often. One input in four is made larger by a factor of 41 bits: a checker that computes in
 // 128 bits needs integers of any size for it.
-Input large_ties(Integer maker, const std::array<Integer, 2>& dice, Integer seed, Integer is_of_many_bits) {
+Input large_ties(Integer maker, const std::array<Integer, 2>& dice, Integer seed, Integer scale) {
   constexpr double kFactor = 0x1p40 + 1;
   constexpr auto kFewest = static_cast<Integer>(kFewestRowsOfLarge);
   const Integer rows = kFewest + dice[0] * dice[1] / (static_cast<Integer>(kMostRowsOfLarge) - kFewest);
   Input input =
       kMakers.at(static_cast<std::size_t>(maker))(static_cast<std::size_t>(rows), static_cast<std::uint64_t>(seed));
   for (Row& row : input.rows) {
-    for (double& coordinate : row) coordinate *= is_of_many_bits == 0 ? kFactor : 1;
+    for (double& coordinate : row) coordinate *= scale == 0 ? kFactor : 1;
   }
   return input;
 }
@@ -29,18 +29,17 @@ Input large_ties(Integer maker, const std::array<Integer, 2>& dice, Integer seed
 }  // namespace
 
 const Family& large_family() {
-  static const Family family{"large",
-                             "1,000 to 10,000 points of lattices, layers, concentric spheres or a rounded capsule, for "
-                             "the property certificate; "
-                             "drawn only if it is named",
-                             [] {
-                               constexpr auto kRange = static_cast<Integer>(kMostRowsOfLarge - kFewestRowsOfLarge);
-                               constexpr Integer kMostSeed = Integer{1} << 60;
-                               return rc::gen::apply(large_ties, whole(0, kMakers.size() - 1),
-                                                     rc::gen::container<std::array<Integer, 2>>(whole(0, kRange)),
-                                                     whole(0, kMostSeed), whole(0, 3));
-                             },
-                             {.four_points = 100, .degenerate = 100}};
+  static const Family family{
+      "large",
+      "1,000 to 10,000 points of a lattice, layers, close spheres or a rounded capsule; drawn if it is named",
+      [] {
+        constexpr auto kRange = static_cast<Integer>(kMostRowsOfLarge - kFewestRowsOfLarge);
+        constexpr Integer kMostSeed = Integer{1} << 60;
+        return rc::gen::apply(large_ties, whole(0, kMakers.size() - 1),
+                              rc::gen::container<std::array<Integer, 2>>(whole(0, kRange)), whole(0, kMostSeed),
+                              whole(0, 3));
+      },
+      {.four_points = 100, .degenerate = 100}};
   return family;
 }
 

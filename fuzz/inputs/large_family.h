@@ -1,6 +1,6 @@
 // The family of large inputs, for a property that takes inputs of any size (property.h).
 //
-// Guarantees: those of families.h, but a large input is not made to shrink as it is drawn. It is drawn where it is named
+// Guarantees: those of families.h, but a large input does not shrink as it is drawn. It is drawn where it is named
 // alone: the cases of the other families stay what they are, and the oracle's scans are not asked about it.
 #pragma once
 

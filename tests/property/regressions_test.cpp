@@ -49,8 +49,8 @@ void expect_holds(const Property& property, const Trial& trial, const std::files
 }
 
 TEST(Regressions, EveryPropertyHolds) {
-  CITES("FC-CRIT-02", "FC-CRIT-03", "FC-CRIT-05", "FC-FLOW-02", "FC-FLOW-07", "FC-INV-01", "FC-OUT-02", "FC-PERS-05",
-        "FC-STAB-04", "FC-STAB-05");
+  CITES("FC-CERT-02", "FC-CERT-03", "FC-CERT-06", "FC-CRIT-02", "FC-CRIT-03", "FC-CRIT-05", "FC-FLOW-02", "FC-FLOW-07",
+        "FC-INV-01", "FC-OUT-02", "FC-PERS-05", "FC-STAB-04", "FC-STAB-05");
   const auto files = regression_files();
   EXPECT_GE(files.size(), 3U);
   for (const std::filesystem::path& path : files) {

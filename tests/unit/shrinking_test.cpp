@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "fuzz/inputs/families.h"
+#include "fuzz/inputs/large_configurations.h"
 
 namespace flowcert::fuzz::shrinking_test {
 namespace {
@@ -38,6 +40,22 @@ TEST(Shrinking, LeavesOutAllRowsThatAreNotNeeded) {
   EXPECT_EQ(asked, small.judged);
   EXPECT_FALSE(small.is_budget_up);
   EXPECT_TRUE(judge(small.trial).has_value());
+}
+
+TEST(Shrinking, FindsTheFewRowsOfThousandsThatAreNeeded) {
+  const Input large = lattice_piece(5000, 3);
+  for (const auto& numbers : {std::array{100, 200}, std::array{2499, 2500}, std::array{0, 4999}}) {
+    const Judge judge = [&](const Trial& trial) -> std::optional<Disagreement> {
+      const auto is_there = [&](int k) {
+        const auto& rows = trial.input.rows;
+        return std::find(rows.begin(), rows.end(), large.rows[static_cast<std::size_t>(k)]) != rows.end();
+      };
+      return is_there(numbers[0]) && is_there(numbers[1]) ? std::optional(of_kind("a")) : std::nullopt;
+    };
+    const Shrunk small = shrunk({large, StartChoice{}}, of_kind("a"), judge, kBudget);
+    EXPECT_EQ(small.trial.input.rows.size(), 2U);
+    EXPECT_LE(small.judged, 500U);
+  }
 }
 
 TEST(Shrinking, MakesCoordinatesSmallIntegers) {
