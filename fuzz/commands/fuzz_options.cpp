@@ -61,8 +61,9 @@ namespace fs = std::filesystem;
 constexpr double kLongestSeconds = 366.0 * 86400;
 constexpr std::size_t kMostMebibytes = std::size_t{1} << 24;
 constexpr std::size_t kMostShards = 1'000'000;
-// A case that takes a process, or is large, takes long, and so would a batch of a thousand of them.
-constexpr std::size_t kCasesOfSlowBatch = 100;
+// Each case of a command takes a process, so a batch of a thousand cases would take long. A large case takes longer.
+constexpr std::size_t kCasesOfPeerBatch = 100;
+constexpr std::size_t kCasesOfLargeBatch = 20;
 // At most so many inputs of a corpus folder are used, the first ones by name.
 constexpr std::size_t kMostOfCorpus = 2000;
 
@@ -374,10 +375,10 @@ fuzz::CampaignPlan plan_of(const FuzzOptions& options) {
   plan.time_limit_seconds = options.time_limit.value_or(plan.time_limit_seconds);
   plan.memory_limit_mebibytes = options.memory_limit.value_or(plan.memory_limit_mebibytes);
   if (!plan.against.empty()) {
-    plan.batch_cases = kCasesOfSlowBatch;
+    plan.batch_cases = kCasesOfPeerBatch;
     plan.fewest_rows = 1;
   }
-  if (draws_large(plan)) plan.batch_cases = kCasesOfSlowBatch;
+  if (draws_large(plan)) plan.batch_cases = kCasesOfLargeBatch;
   if (const auto range = two_numbers(options.points, '-')) {
     plan.fewest_rows = range->first;
     plan.most_rows = range->second;
