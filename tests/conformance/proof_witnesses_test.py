@@ -188,7 +188,8 @@ class WitnessTest(proof_py_test.ProofTest):
         for text, is_right in ((["# a comment", *lines[::-1]], True), ([*lines, lines[-1]], False), (lines[1:], False),
                                (endless, False)):
             file = self.file("p.pers", "".join(f"{line}\n" for line in text).encode())
-            self.keep((scan, certificate, "--pairs", file), {0 if is_right else 1}, told if is_right else "pairs refuted")
+            verdict = ({0}, told) if is_right else ({1}, "pairs refuted")
+            self.keep((scan, certificate, "--pairs", file), *verdict)
 
     def test_drawn_inputs_at_many_scales(self):
         rng = random.Random(453)

