@@ -196,8 +196,11 @@ class ProofTest(unittest.TestCase):
     # ---- Theorem 1
 
     def expect_only(self, condition, points, cells):
-        """The cells fail this condition, and no other one."""
-        self.expect(self.of_cells(points, cells), 1, f"cells rejected: {condition} ")
+        self.expect_alone(condition, lambda: self.of_cells(points, cells))
+
+    def expect_alone(self, condition, run):
+        """What runs fails this condition, and no other one."""
+        self.expect(run(), 1, f" rejected: {condition} ")
         reject = proof.Triangulation.reject
 
         def reject_others(self, failed, *why):
@@ -205,7 +208,7 @@ class ProofTest(unittest.TestCase):
                 reject(self, failed, *why)
 
         with unittest.mock.patch.object(proof.Triangulation, "reject", reject_others):
-            self.expect(self.of_cells(points, cells), 0, "proved: ")
+            self.expect(run(), 0, "proved: ")
 
     def test_right_cells_are_proved_in_any_order_and_orientation(self):
         for points, cells in ((SQUARE, HALVES), (SQUARE, [(2, 3, 1), (0, 2, 1)]), (CORNERS, AROUND),
@@ -219,7 +222,9 @@ class ProofTest(unittest.TestCase):
         self.expect(self.of_cells(points, [(0, 1, 3), (4, 2, 3)]), 0, "of 5 points (4 different ones)")
 
     def test_T0_the_points_span_more_than_the_cells_or_less(self):
-        self.expect_only("T0", SQUARE[:3] + [(3, 3, 1)], HALVES)
+        for height in (1, -1):
+            self.expect_only("T0", SQUARE[:3] + [(3, 3, height)], HALVES)
+        self.expect(self.of_certificate([], certificate([], 0, 0, [])), 1, "T0 dimension 0")
         self.expect_only("T0", [(0, 0, 0), (1, 0, 0), (2, 1, 0)], [(0, 1), (1, 2)])
         self.expect(self.of_cells([(0, 0, 0), (1, 1, 1)], []), 1, "T0 dimension 0")
         self.expect(self.of_cells([(1, 1, 1), (1, 1, 1)], [(0, 1)]), 1, "T0 dimension 1")
@@ -234,6 +239,16 @@ class ProofTest(unittest.TestCase):
                         "is not positive, nothing is said of the list\n" if status else "proved: these 1 cells")
         flat = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)]
         self.expect(self.of_certificate(flat, certificate(flat, 3, 1, [0, 1, 2, 3, 0, 0, 0, 0])), 1, "T1 cell 0")
+
+    def test_T1_alone(self):
+        """A triangle folded over its neighbours, and a flat tetrahedron between two others."""
+        for points, cells in (([(-2, 6, 0), (4, 2, 0), (-1, 0, 0), (-5, 3, 0)], [(0, 2, 3), (2, 0, 1), (1, 3, 2)]),
+                              ([(3, 2, -3), (0, 2, -1), (4, 2, 1), (6, 2, -3), (-5, 5, -6)],
+                               [(0, 1, 2, 4), (1, 0, 2, 3), (4, 2, 0, 3)])):
+            found = proof.Triangulation(proof.Points(self.file("p.xyz", text_of(points))), len(cells[0]) - 1, "")
+            found.cells = cells
+            data = proof.encode(found)
+            self.expect_alone("T1", lambda: self.of_certificate(points, data))
 
     def test_T2_a_third_cell_or_two_on_a_side(self):
         self.expect(self.of_cells([*SQUARE, (3, 3, 0)], [*HALVES, (1, 2, 4)]), 1, "T2 cell 2: a third cell")

@@ -129,9 +129,9 @@ class WitnessTest(proof_py_test.ProofTest):
         elif status == 1 and not re.search(": format(_version)? is ", told):
             self.keep(arguments, {1}, re.match("certificate rejected: T|list refuted: line [0-9]+: ", told).group())
 
-    def expect_only(self, condition, points, cells):
+    def expect_alone(self, condition, run):
         self.alone = condition
-        super().expect_only(condition, points, cells)
+        super().expect_alone(condition, run)
         self.alone = None
 
 

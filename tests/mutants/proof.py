@@ -39,6 +39,10 @@ EQUIVALENT = {
         "T4 follows from T2, T5 and T7 (FC-CERT-02).",
     'if (ridges.empty()) reject("T4 no facet is unpaired"); -> nothing':
         "Cells of positive volume, all of whose facets are paired, are not there: T1 and T2 say so.",
+    'if (axis_ == 3) reject("T1 cell 0 has no volume"); -> nothing': "Its volume is 0, and T1 is asked of all cells.",
+    "while (axis_ < 3 -> while (axis_ < 2": "What remains is the third axis; T1 is asked of all cells.",
+    "mate == kHull || mate < facet -> mate == kHull": "T3 is asked of a pair twice, with the same answer.",
+    "mate == kHull || mate < facet -> mate == kHull || mate > facet": "T3 is asked of a pair the other way round.",
     "> 0x1p-47 -> >= 0x1p-47": "The error is less than the bound, so that a value which is equal to it has its sign.",
     "std::fabs(value) > -> value >": "Negative values are computed in integers, too.",
     "x.value < 0 ? -1 -> x.value <= 0 ? -1": "The sign of 0 is never certain.",
@@ -47,14 +51,15 @@ EQUIVALENT = {
     "x += 0.0 -> x": "A zero is compared as a number everywhere, and has no sign on the grid.",
     'if (rows.size() >= kNone) cannot_decide(path + ": too many rows"); -> nothing':
         "No test has 2^32 rows, which are 96 GB.",
-    "(k > 0 && blanks == 0) ||  -> nothing": "A decimal ends where no character of one follows; then the next is empty.",
+    "(k > 0 && blanks == 0) ||  -> nothing": "A decimal ends where none of its characters follows.",
     "(v[0] > v[1]) != ((v[0] > v[2]) -> (v[0] > v[1]) == ((v[0] > v[2])":
         "The parity is compared with another one alone, and both are reversed.",
     " || count_ >= kOpen / 4 -> nothing": "No test has 2^30 cells, which are a GB and more.",
     "is_cospherical[first] == 0 || sphere -> sphere": "A cell alone has the sphere of its own vertices then.",
     "std::find(v.begin(), v.end(), x) == v.end() &&  -> nothing": "A triangle's vertices are coplanar with it.",
     "if (t_.dimension == 3) ids.erase -> ids.erase": "In dimension 2 all points are coplanar.",
-    "spoke.link) > 0 -> spoke.link) >= 0": "With link vertices on the sphere and none inside, both values are the same.",
+    "spoke.link) > 0 -> spoke.link) >= 0":
+        "With link vertices on the sphere and none inside, both values are the same.",
     "t_.opposite(facet)) > 0 -> t_.opposite(facet)) >= 0":
         "With link vertices on the sphere and none inside, both values are the same.",
     "if (about.has_certain_sign()) return sign_of(about); -> nothing": "All is computed in integers.",
