@@ -359,7 +359,7 @@ TEST(FuzzCommand, ReplaysAnyPointFile) {
   const std::string square = scratch.file("square.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n");
   const Finished finished = flowcert({"fuzz", "--replay", square});
   EXPECT_EQ(finished.status, 0) << finished.err;
-  EXPECT_EQ(lines_of(finished.out).size(), 8U) << finished.out;
+  EXPECT_EQ(lines_of(finished.out).size(), 9U) << finished.out;
   EXPECT_EQ(flowcert({"fuzz", "--replay", scratch.file("bad.xyz", "0 0 0\n1 0\n")}).status, 2);
   EXPECT_EQ(flowcert({"fuzz", "--replay", scratch.path("none.xyz")}).status, 2);
 }
