@@ -468,8 +468,9 @@ COUNTS = {"points": WHOLE, "merged_duplicates": WHOLE, "critical": IDS,
           "regular_stationary": rf'\{{"1-2":{WHOLE},"1-3":{WHOLE},"2-3":{WHOLE}\}}',
           "classes": rf"\[(?:{IDS}(?:,{IDS})*+)?\]"}
 HEADER = pattern_of({
-    "format": STRING, "format_version": WHOLE, **MADE_BY, "input_sha256": STRING, "left_out?": IDS, **COUNTS,
-    "centers?": '"double"|"none"', "morse_smale?": "true|false", "hull_volume?": STRING, "volumes?": STRING})
+    "format": '"flowcert-stationary-points"', "format_version": "1", **MADE_BY, "input_sha256": STRING,
+    "left_out?": IDS, **COUNTS, "centers?": '"double"|"none"', "morse_smale?": "true|false", "hull_volume?": STRING,
+    "volumes?": STRING})
 SETS = {"index": f"{WHOLE}|{IDS}", "kind": STRING, "contact": IDS}
 EXACT = {"center": rf"\[{STRING},{STRING},{STRING}\]", "squared_distance": STRING}
 DOUBLES = {"center_double": rf"\[{NUMBER},{NUMBER},{NUMBER}\]", "squared_distance_double": NUMBER}
@@ -513,9 +514,9 @@ class List:
 
     def header(self):
         points, counts = self.points, self.stationary.counts
-        return {"format": '"flowcert-stationary-points"', "format_version": "1", "input_sha256": f'"{points.sha256}"',
-                "points": str(len(points.at)), "merged_duplicates": str(len(points.at) - len(points.distinct)),
-                "critical": ids(counts[:4]), "regular_stationary": '{{"1-2":{},"1-3":{},"2-3":{}}}'.format(*counts[4:]),
+        return {"input_sha256": f'"{points.sha256}"', "points": str(len(points.at)),
+                "merged_duplicates": str(len(points.at) - len(points.distinct)), "critical": ids(counts[:4]),
+                "regular_stationary": '{{"1-2":{},"1-3":{},"2-3":{}}}'.format(*counts[4:]),
                 "classes": ids(map(ids, points.classes))}
 
     def record(self, kind, contact, simplex):
@@ -541,7 +542,7 @@ class List:
                 self.compare(number, found, self.record(*record))
         for _, contact, _ in records:
             raise Rejected(f"list refuted: line {number + 1}: missing, with the contact {ids(contact)[:80]}")
-        others = [key for key in head if key not in {*self.header(), "centers"}]
+        others = [key for key in head if key not in {"format", "format_version", *self.header(), "centers"}]
         return [f"proved, line by line of {self.path}: {', '.join(pattern.groupindex)}",
                 f"proved, header of {self.path}: {', '.join([*COUNTS, 'input_sha256'])}",
                 f"not compared, header of {self.path}: {', '.join(others)}"]
