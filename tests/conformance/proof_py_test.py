@@ -526,6 +526,18 @@ class ProofTest(unittest.TestCase):
             self.expect(self.of_certificate(points, Path(out).read_bytes(), self.file("l", text)), 0)
         self.assertEqual(kinds, {False, True})
 
+    def test_a_ball_has_index_3_by_its_middle_triangle_or_its_axis(self):
+        points, kinds = [(5, 0, 0), (-3, 4, 0), (-3, -4, 0), (0, 0, 5), (0, 0, -5)], set()
+        text = written(list_of(points))
+        self.assertIn(b'"index":3,"kind":"critical","contact":[0,1,2,3,4]', text)
+        for seed in range(8):
+            cells = delaunay(points, random.Random(seed))[1]
+            kinds.add(len(cells))
+            out = str(self.folder / "out.fcert")
+            self.expect(self.of_cells(points, cells, "--from-cells", out), 0)
+            self.expect(self.of_certificate(points, Path(out).read_bytes(), self.file("l", text)), 0)
+        self.assertEqual(kinds, {2, 3})
+
     def test_a_double_beyond_all_is_null(self):
         points = [(0, 0, 0), (2**600, 0, 0), (0, 2**601, 0)]
         data, lines = self.right_case(points), list_of(points)
