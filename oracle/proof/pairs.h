@@ -119,7 +119,7 @@ class PersistencePairs {
         next.quotient = std::isfinite(quotient) ? quotient : 0;
       }
     }
-    // By quotients they are in order, unless roundings are in the way.
+    // Quotients have the order of the values, unless roundings are in the way.
     std::sort(own.begin(), own.end(), [](const Own& a, const Own& b) { return a.quotient < b.quotient; });
     const auto is_less = [this](const Own& a, const Own& b) { return compare(a, b) < 0; };
     if (!std::is_sorted(own.begin(), own.end(), is_less)) std::sort(own.begin(), own.end(), is_less);

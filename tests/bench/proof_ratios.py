@@ -4,9 +4,8 @@
 usage: proof_ratios.py FLOWCERT PROOF [SCAN ...]
 
 The lattice 40 x 40 x 40 is added to the scans. All in one thread, medians of three rounds, each of which has its own
-triangulation. Columns: the certificate alone and the pairs on top, by the
-triangulation's time; with the exact list, by `compute -o`'s time; memory of these, by that of `compute -o`, and with
-pairs by that of `persistence`; bytes a cell.
+triangulation. Columns: the certificate alone and the pairs on top, by the triangulation's time; with the exact list, by
+`compute -o`'s time; memory of these, by that of `compute -o`, and with pairs by that of `persistence`; bytes a cell.
 Exit status: 0; 1 where a proof fails; 2 for bad usage.
 """
 import json

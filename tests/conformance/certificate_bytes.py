@@ -56,7 +56,7 @@ class Gluing:
                     self.stack.append((cell, i, facet))
 
     def open_facets(self):
-        """Of each, a cell, the place of the vertex that is opposite, and the facet. Cells may be entered meanwhile."""
+        """Open facets: a cell of each, the place of the opposite vertex, the facet. Cells may be entered meanwhile."""
         while self.stack:
             cell, i, facet = self.stack.pop()
             if self.is_open[facet]:

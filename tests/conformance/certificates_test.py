@@ -127,8 +127,8 @@ def write_points(rows, path):
 
 
 def turned(rows, rng):
-    """By a rotation that maps axes to axes. CGAL prefers points of a sphere by their coordinates, whatever the order
-    of rows is, so that their cells are others now."""
+    """The rows, turned so that axes go to axes. CGAL prefers points of a sphere by their coordinates, whatever the
+    order of rows is, so that their cells are others now."""
     axes, signs = rng.sample(range(3), 3), [rng.choice((1, -1)) for _ in range(2)]
     is_odd = sum(a > b for a, b in itertools.combinations(axes, 2)) % 2
     signs.append(math.prod(signs) * (-1 if is_odd else 1))
@@ -137,7 +137,7 @@ def turned(rows, rng):
 
 
 def triangulation_of(scan, certificate):
-    """That of proof.py, which knows the spheres that several cells have in common."""
+    """The triangulation as proof.py has it, which knows the spheres that several cells have in common."""
     found = proof.read_certificate(str(certificate), proof.Points(str(scan)))[0]
     found.cospherical = []
     if found.cells:

@@ -25,7 +25,7 @@ def names_of(points):
 
 
 class Volumes:
-    """Of simplices in the affine hull of a first one, which is not flat; but for a factor that they have in common."""
+    """Volumes, up to one factor, of simplices in the affine hull of a first one, which is not flat."""
 
     def __init__(self, points, first):
         self.points, self.first, self.dimension = points, first, len(first) - 1

@@ -65,7 +65,7 @@ def line(rng):
 
 
 def scan(rng):
-    """Of a torus, a sphere or a sheet, until it has 1,000 points of the grid."""
+    """The points of a torus, a sphere or a sheet, until 1,000 of the grid are there."""
     kind, radius, points = rng.randrange(3), rng.randint(14, 24), set()
     size = rng.randint(1000, 1300)
     while len(points) < size:

@@ -35,7 +35,8 @@ def changed_lists(text):
     first_double = r'("center_double":\[)[^,]*'
     for what, pattern, new in (
             ("a key hidden behind an escape", r'("input_sha256":"\w*")', r"\1" + hidden.format('"morse_smale":true')),
-            ("a count hidden behind an escape", r'("input_sha256":"\w*")', r"\1" + hidden.format('"critical":[9,9,9,9]')),
+            ("a count hidden behind an escape", r'("input_sha256":"\w*")',
+             r"\1" + hidden.format('"critical":[9,9,9,9]')),
             ("a brace for a comma", '"index":0,', '"index":0{'),
             ("a comma for a brace", '\n{"index"', '\n,"index"'),
             ("a brace in the header", '"format_version":1,', '"format_version":1{'),

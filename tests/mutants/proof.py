@@ -74,7 +74,7 @@ def key_of(old, new):
 
 
 class ProofFaults(TreeFaults):
-    """Beside the faults of proof.py those of the table, whose number is the place in their file's list."""
+    """The faults of proof.py and those of the table, whose number is the place in their file's list."""
 
     def all(self):
         texts = {name: (PROGRAM / name).read_text(encoding="utf-8") for name in TABLE}
@@ -94,7 +94,7 @@ class ProofFaults(TreeFaults):
 
     @functools.cached_property
     def inputs(self):
-        """Those of flowcert-proof, with their answers; the function that judges one; and headers, compiled once."""
+        """The inputs of flowcert-proof, with their answers; the function that judges one; headers, compiled once."""
         folder = self.scratch = tempfile.TemporaryDirectory(prefix="proof-inputs-")
         sys.path.insert(0, str(TESTS))
         import proof_witnesses_test as witnesses

@@ -45,7 +45,7 @@ def programs(cgal):
 # ---- Inputs ----
 
 def cases_in(text):
-    """By id: rows."""
+    """The rows of each case, by id."""
     cases, lines = {}, iter(text.splitlines())
     for line in lines:
         if line.startswith("case "):
@@ -59,7 +59,7 @@ def generated(flowcert, *options):
 
 
 def drawn_cases(flowcert, seed):
-    """By family: its cases. Families that `generate` does not know are for other tests."""
+    """The cases of each family. Families that `generate` does not know are for other tests."""
     listed = subprocess.run([flowcert, "fuzz", "--families", "list"], capture_output=True, text=True, check=True).stdout
     families = {}
     for family in re.findall(r"^  (\S+)", listed, re.MULTILINE):
@@ -72,7 +72,7 @@ def drawn_cases(flowcert, seed):
 
 
 def larger_inputs():
-    """By name: some hundred points each. All but the last one are degenerate, or nearly."""
+    """Inputs of some hundred points each, by name. All but the last one are degenerate, or nearly."""
     draw = random.Random(45)
     lattice = list(product(range(6), repeat=3))
     turned = [(2 * x - y + 2 * z, 2 * x + 2 * y - z, -x + 2 * y + 2 * z) for x, y, z in lattice]
@@ -94,7 +94,7 @@ def larger_inputs():
 # ---- Asking and judging ----
 
 def ask(program, cases):
-    """By id: (outcome, text); the text of an answer is its lines of cells."""
+    """The outcome and the text of each case, by id; the text of an answer is its lines of cells."""
     text = "".join(f"case {name} {len(rows)}\n" + "".join("{!r} {!r} {!r}\n".format(*row) for row in rows)
                    for name, rows in cases.items())
     said = subprocess.run(program.command, input=text, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
@@ -139,7 +139,7 @@ class Verdict:
 
 
 def verdicts_on(program, cases):
-    """By id."""
+    """The verdict on each case, by id."""
     with tempfile.TemporaryDirectory() as folder:
         return {name: Verdict(cases[name], answer, folder) for name, answer in ask(program, cases).items()}
 
@@ -155,7 +155,7 @@ def place(points, cell, p):
 
 
 def share(value):
-    """As a fraction where it is short, as a power of two where it is less than any double."""
+    """The value as a fraction where that is short, as a power of two where it is less than any double."""
     if len(str(value)) < 10:
         return str(value)
     if float(value) == 0:

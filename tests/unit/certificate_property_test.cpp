@@ -15,7 +15,7 @@
 namespace flowcert::property::certificate_property_test {
 namespace {
 
-// Its triangulation is the only one, and it has pairs of dimension 0 and 1.
+// The input has one triangulation alone, and pairs of dimension 0 and 1.
 const fuzz::Input kInput{
     {{0, 0, 0}, {7, 1, 0}, {2, 8, 1}, {1, 2, 9}, {6, 7, 8}, {9, 3, 7}, {3, 11, 6}, {13, 9, 2}, {5, 4, 15}}};
 
@@ -42,7 +42,7 @@ TEST(CertificateProperty, FindsCellsThatAreNoDelaunayTriangulation) {
   CITES("FC-CERT-02");
   CertifiedAnswer answer = answer_of(kInput);
   ASSERT_EQ(kind_of(disproof(kInput, answer)), "none");
-  // Those of the same points before one moved: positive and paired, but with a point inside a sphere.
+  // The cells were right before a point moved. They still are positive and paired, but that point is inside a sphere.
   fuzz::Input moved = kInput;
   moved.rows[4] = {5, 5, 4};
   const auto found = disproof(moved, answer);

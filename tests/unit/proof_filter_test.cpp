@@ -2,7 +2,7 @@
 // bound says, at all scales of doubles and with subnormals, and where doubles alone have the wrong sign, it is not
 // certain.
 //
-// This includes headers of oracle/proof alone, whose names are global: it is a program of its own.
+// The headers of oracle/proof have global names, so that this is a program of its own.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -20,7 +20,7 @@ mpq_class times_power_of_two(mpq_class x, int exponent) {
   return exponent >= 0 ? mpq_class(x << shift) : mpq_class(x >> shift);
 }
 
-// A polynomial that is homogeneous of this degree in differences of coordinates, which 128 bits hold up to these.
+// The polynomial is homogeneous in differences of coordinates. 128 bits hold its values if the grid has up to `bits`.
 template <class Polynomial>
 void compare(const Points& points, int degree, int bits, const Polynomial& polynomial, Counts& counts) {
   const Filtered filtered = polynomial.template operator()<Filtered>();
