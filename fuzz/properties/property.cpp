@@ -408,6 +408,8 @@ std::optional<Disagreement> disagreement(const Property& property, const Trial& 
     return property.check(trial);
   } catch (const MachineFailure&) {
     throw;
+  } catch (const std::bad_alloc&) {
+    throw;  // the machine's failure, too
   } catch (const std::system_error& failure) {
     throw MachineFailure(failure.what());
   } catch (const std::exception& error) {

@@ -3,13 +3,15 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <openssl/err.h>
 #include <openssl/evp.h>
 
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <memory>
-#include <stdexcept>
+#include <new>
+#include <system_error>
 
 #include "geometry/floating_point.h"
 #include "io/layer.h"
@@ -17,6 +19,20 @@
 namespace flowcert {
 
 using namespace io;
+
+namespace {
+
+// Where memory ends, OpenSSL says so, or says nothing, or cannot load what it needs.
+[[noreturn]] void throw_why_there_is_no_sha256() {
+  unsigned long error = ::ERR_get_error();
+  bool is_memory = error == 0;
+  for (; error != 0; error = ::ERR_get_error()) is_memory |= ERR_GET_REASON(error) == ERR_R_MALLOC_FAILURE;
+  if (is_memory) throw std::bad_alloc();
+  throw std::system_error(std::make_error_code(std::errc::function_not_supported),
+                          "OpenSSL has no SHA-256, or no memory for it");
+}
+
+}  // namespace
 
 Reproducibility reproducibility() {
 #ifdef __clang__
@@ -30,6 +46,7 @@ Reproducibility reproducibility() {
 std::string coordinates_sha256(const PointSet& points) {
   const geometry::IeeeDoubles ieee;
   static_assert(std::endian::native == std::endian::little, "the digest is of little-endian doubles");
+  ::ERR_clear_error();
   const std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> context(EVP_MD_CTX_new(), EVP_MD_CTX_free);
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned int length = 0;
@@ -39,7 +56,7 @@ std::string coordinates_sha256(const PointSet& points) {
     ok = ok && EVP_DigestUpdate(context.get(), coordinates.data(), sizeof(coordinates)) == 1;
   }
   ok = ok && EVP_DigestFinal_ex(context.get(), digest.data(), &length) == 1;
-  if (!ok) throw std::runtime_error("SHA-256 is not available from this OpenSSL");
+  if (!ok) throw_why_there_is_no_sha256();
   return fmt::format("{:02x}", fmt::join(digest.data(), digest.data() + length, ""));
 }
 
