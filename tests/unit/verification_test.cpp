@@ -14,6 +14,8 @@
 #include "fuzz/judge/oracle_truth.h"
 #include "fuzz/properties/input_points.h"
 #include "io/json_fields.h"
+#include "oracle/exact_geometry.h"
+#include "oracle/stationary_points.h"
 #include "tests/cites.h"
 
 namespace flowcert::judge::verification_test {
