@@ -66,7 +66,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     std::cerr << "out of memory" << std::endl;
     return 2;
-  } catch (const std::ios_base::failure& failure) {  // what buffers throw where the system cannot read
+  } catch (const std::runtime_error& failure) {  // the system cannot read, or has no random bits
     std::cerr << failure.what() << std::endl;
     return 2;
   }

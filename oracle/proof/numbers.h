@@ -32,8 +32,8 @@ struct Filtered {
 using Integer128 = __int128;
 struct BigInteger {  // GMP's, with operations that return numbers, and not expressions
   mpz_class value;
-  friend BigInteger operator+(BigInteger a, const BigInteger& b) { return a.value += b.value, a; }
-  friend BigInteger operator-(BigInteger a, const BigInteger& b) { return a.value -= b.value, a; }
+  friend BigInteger operator+(BigInteger a, const BigInteger& b) { return {std::move(a.value += b.value)}; }
+  friend BigInteger operator-(BigInteger a, const BigInteger& b) { return {std::move(a.value -= b.value)}; }
   friend BigInteger operator*(const BigInteger& a, const BigInteger& b) { return {a.value * b.value}; }
 };
 inline int sign_of(Filtered x) { return x.value < 0 ? -1 : 1; }  // if it is certain
