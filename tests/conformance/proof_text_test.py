@@ -67,6 +67,8 @@ def main():
         for what, changed in changed_lists(records.read_text()):
             text.write_bytes(changed.encode())
             expect(2, what, scan, cells, text)
+        text.write_text(re.sub(',"version":.*?,"points"', ',"points"', records.read_text(), count=1))
+        expect(0, "a list of an unknown program", scan, cells, text)
         for what, changed in (("a byte of 0", re.sub("(?m)^0 0 inf$", "0 0 inf\0 or not", pairs.read_text())),
                               ("a comma for a brace", exact_pairs.read_text().replace('"pairs":[{', '"pairs":[,')),
                               ("another key", exact_pairs.read_text().replace('"has_zero"', '"left":1,"has_zero"'))):
