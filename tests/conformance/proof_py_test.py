@@ -448,8 +448,8 @@ class ProofTest(unittest.TestCase):
         for key, value in (("format", "flowcert-pairs"), ("format_version", 2)):
             self.expect(self.of_certificate(self.TRAPEZOID, data,
                                             self.file("l", written([{**head, key: value}, *lines[1:]]))), 2, "l:1: ")
-        for key, value in (("input_sha256", "0" * 64), ("points", 8), ("merged_duplicates", 0), ("classes", []),
-                           ("classes", [[0, 4]]), ("critical", [6, 0, 0, 0]),
+        for key, value in (("input_sha256", "0" * 64), ("points", 8), ("points", 77), ("merged_duplicates", 0),
+                           ("classes", []), ("classes", [[0, 4]]), ("critical", [6, 0, 0, 0]),
                            ("critical", head["critical"][:3]), ("regular_stationary", {"1-2": 9, "1-3": 0, "2-3": 0})):
             refuted([{**head, key: value}, *lines[1:]], 1, key)
         for k, line in enumerate(lines[1:], 1):

@@ -161,6 +161,14 @@ class WitnessTest(proof_py_test.ProofTest):
                  (0, 7, 12), (3, 4, 10), (0, 9, 1), (0, 2, 3), (0, 5, 11), (9, 0, 12), (0, 6, 7)]
         self.expect_only("T5", points, cells)
 
+    def test_a_circle_whose_cells_are_numbered_inwards(self):
+        """Three cells on the circle, which the first cell is not, come before the one between them."""
+        points = [(-3, 9, 0), (4, 3, 0), (0, 5, 0), (5, 0, 0), (-5, 0, 0), (3, -4, 0), (-4, 3, 0), (-4, -5, 0),
+                  (-4, -3, 0), (-3, -4, 0)]
+        cells = [(1, 2, 6), (4, 7, 8), (0, 2, 6), (4, 6, 8), (0, 1, 2), (1, 3, 5), (0, 4, 6), (7, 8, 9), (5, 7, 9),
+                 (1, 5, 6), (6, 8, 9), (5, 6, 9)]
+        self.assertEqual(self.prove(points, cells, 0, "text"), 0)
+
     # ---- Numbers
 
     def prove(self, points, cells, scale, kind):

@@ -41,6 +41,9 @@ EQUIVALENT = {
         "Cells of positive volume, all of whose facets are paired, are not there: T1 and T2 say so.",
     'if (axis_ == 3) reject("T1 cell 0 has no volume"); -> nothing': "Its volume is 0, and T1 is asked of all cells.",
     "while (axis_ < 3 -> while (axis_ < 2": "What remains is the third axis; T1 is asked of all cells.",
+    'if (side <= 0) reject("T5 -> if (side < 0) reject("T5':
+        "By T6, a hull facet whose plane has the middle of cell 0 has this middle itself, or one beside it has. So two "
+        "cells cover one side of it. A ray to this side leaves both, and one to the other side meets it: T7 fails.",
     "mate == kHull || mate < facet -> mate == kHull": "T3 is asked of a pair twice, with the same answer.",
     "mate == kHull || mate < facet -> mate == kHull || mate > facet": "T3 is asked of a pair the other way round.",
     "> 0x1p-47 -> >= 0x1p-47": "The error is less than the bound, so that a value which is equal to it has its sign.",
