@@ -24,7 +24,7 @@ namespace {
 
 // Where memory ends, OpenSSL says so, or says nothing, or cannot load what it needs.
 [[noreturn]] void throw_why_there_is_no_sha256() {
-  unsigned long error = ::ERR_get_error();
+  auto error = ::ERR_get_error();
   bool is_memory = error == 0;
   for (; error != 0; error = ::ERR_get_error()) is_memory |= ERR_GET_REASON(error) == ERR_R_MALLOC_FAILURE;
   if (is_memory) throw std::bad_alloc();

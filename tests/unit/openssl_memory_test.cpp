@@ -10,7 +10,7 @@
 namespace flowcert::openssl_memory_test {
 namespace {
 
-long left = 0;  // how many more times OpenSSL gets memory
+int left = 0;  // how many more times OpenSSL gets memory
 
 void* take(std::size_t bytes, const char*, int) { return left-- > 0 ? std::malloc(bytes) : nullptr; }
 void* take_more(void* memory, std::size_t bytes, const char*, int) {
@@ -20,7 +20,7 @@ void give_back(void* memory, const char*, int) { std::free(memory); }
 
 enum class Ending { kHolds, kViolated, kFailure };
 
-Ending ending_with(long enough) {
+Ending ending_with(int enough) {
   left = enough;
   if (CRYPTO_set_mem_functions(take, take_more, give_back) != 1) return Ending::kViolated;
   const property::Trial trial{fuzz::Input{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, property::StartChoice{}};
@@ -35,13 +35,13 @@ Ending ending_with(long enough) {
 }
 
 // OpenSSL keeps what it loaded, so each amount has a process of its own.
-void expect_ending(long enough, Ending ending) {
+void expect_ending(int enough, Ending ending) {
   EXPECT_EXIT(std::_Exit(static_cast<int>(ending_with(enough))), testing::ExitedWithCode(static_cast<int>(ending)), "")
       << enough;
 }
 
 TEST(OpensslMemory, IsNoVerdict) {
-  for (long enough = 0; enough < 20; ++enough) expect_ending(enough, Ending::kFailure);
+  for (int enough = 0; enough < 20; ++enough) expect_ending(enough, Ending::kFailure);
   expect_ending(1'000'000, Ending::kHolds);
 }
 
