@@ -123,8 +123,10 @@ TEST(PairClaim, JsonThatIsNoneOrHasNoEndIsRefusedInOneLine) {
   for (const char* text : {"{nope", "{\"pairs\": [\"\xff\"]}"}) {
     EXPECT_TRUE(error_in(text).starts_with("pairs: not JSON, in byte ")) << error_in(text);
   }
-  const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
-  EXPECT_EQ(error_in("{\"x\": " + deep + ", \"pairs\": []}"), "pairs: nested deeper than 16 levels");
+  for (const std::size_t levels : {std::size_t{16}, std::size_t{100'000}}) {  // and the object's
+    const std::string deep = std::string(levels, '[') + std::string(levels, ']');
+    EXPECT_EQ(error_in("{\"x\": " + deep + ", \"pairs\": []}"), "pairs: nested deeper than 16 levels");
+  }
   std::string keys = "{\"pairs\": []";
   for (int k = 0; k < 200'000; ++k) keys += ",\"k" + std::to_string(k) + "\":0";
   EXPECT_EQ(error_in(keys + "}"), "pairs: an object of more than 1000 keys");

@@ -30,6 +30,7 @@ TEST(PairDifferences, WhatIsExactIsEqual) {
   EXPECT_EQ(wrong({lasts, pair, pair, pair}, truth), 1U);
   EXPECT_EQ(wrong({lasts, pair, {1, exact(1), exact(2 + parts(1))}}, truth), 1U);
   EXPECT_EQ(wrong({lasts, pair, {2, exact(1), exact(2)}}, truth), 2U) << "one of each dimension";
+  EXPECT_EQ(wrong({lasts, pair, {0, exact(1), exact(2)}}, truth), 2U) << "one of each dimension";
   EXPECT_EQ(wrong({lasts, pair, pair, {2, exact(3), exact(3)}}, truth), 0U) << "of length zero";
   EXPECT_EQ(wrong({lasts, pair, pair, {2, exact(3), exact(3 + parts(1))}}, truth), 1U);
   EXPECT_EQ(wrong({lasts, pair}, {{1, 1, Rational(2)}, {1, 5, 5 + parts(1)}, {0, 0, std::nullopt}}), 1U);
