@@ -8,6 +8,7 @@
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <new>
@@ -21,6 +22,9 @@ namespace flowcert {
 using namespace io;
 
 namespace {
+
+// More than OpenSSL takes. Version 3.5 waits for ever where it gets nothing at all, so new has to find this much first.
+constexpr std::size_t kMemoryOfOpenssl = std::size_t{1} << 20;
 
 // Where memory ends, OpenSSL says so, or says nothing, or cannot load what it needs.
 [[noreturn]] void throw_why_there_is_no_sha256() {
@@ -46,6 +50,7 @@ Reproducibility reproducibility() {
 std::string coordinates_sha256(const PointSet& points) {
   const geometry::IeeeDoubles ieee;
   static_assert(std::endian::native == std::endian::little, "the digest is of little-endian doubles");
+  ::operator delete(::operator new(kMemoryOfOpenssl));
   ::ERR_clear_error();
   const std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> context(EVP_MD_CTX_new(), EVP_MD_CTX_free);
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
