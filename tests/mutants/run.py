@@ -89,6 +89,7 @@ LIKELY = {
     "src/io/read_": ["point_examples_test", "moved_fields_test", "user_files_test"],
     "src/io/number_text": ["read_claim_test", "point_examples_test"],
     "src/io/table_columns": ["point_examples_test", "moved_fields_test"],
+    "src/io/coordinate_rounding": ["coordinate_rounding_test"],
     "src/io/clip": ["clip_box_test", "clipped_lines_test"],
     "oracle/exact_geometry": ["oracle_geometry_test"],
     "oracle/point_set": ["oracle_stationary_test", "oracle_stable_test"],
@@ -153,17 +154,19 @@ REACHED_BY = {
     "judge": OF_JUDGE,
     "vectors": {"oracle_stable_test", "vectors_oracle_test"},
     "certify": OF_JUDGE | {
-        "check_mutations_test", "check_test", "direction_claims_test", "direction_findings_test",
-        "exchange_keys_test", "incidence_findings_test", "infinity_claims_test", "matching_test",
+        "check_mutations_test", "check_test", "direction_claims_test", "direction_findings_test", "exchange_keys_test",
+        "finding_sentence_test", "incidence_findings_test", "infinity_claims_test", "matching_test",
         "orbit_difference_test", "pair_claim_test", "pair_claims_test", "pair_differences_test",
         "perturbed_claims_test", "perturbed_findings_test", "place_findings_test", "pocket_claims_test",
-        "pocket_findings_test", "polyline_findings_test", "profile_test", "read_claim_test", "stable_claims_test",
-        "stable_findings_test", "unstable_set_findings_test"},
+        "pocket_findings_test", "polyline_findings_test", "profile_test", "read_claim_test", "spec_examples_test",
+        "stable_claims_test", "stable_findings_test", "unstable_set_findings_test"},
     "io": OF_JUDGE | {
-        "clip_box_test", "clipped_lines_test", "exchange_keys_test", "log_histogram_test", "medial_agreement_test",
+        "atom_names_test", "clip_box_test", "clipped_lines_test", "coordinate_rounding_test", "direction_claims_test",
+        "exchange_keys_test", "infinity_claims_test", "log_histogram_test", "medial_agreement_test",
         "moved_fields_test", "orbit_difference_test", "oriented_surfaces_test", "pair_claim_test",
-        "pocket_findings_test", "pockets_test", "point_examples_test", "read_claim_test", "read_molecule_test",
-        "surface_choice_test", "user_files_test", "value_order_test"},
+        "place_findings_test", "pocket_claims_test", "pocket_findings_test", "pockets_test", "point_examples_test",
+        "read_claim_test", "read_molecule_test", "spec_examples_test", "surface_choice_test", "user_files_test",
+        "value_order_test", "vectors_fast_test"},
 }
 
 
