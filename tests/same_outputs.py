@@ -5,9 +5,10 @@ and calls this.
 usage: same_outputs.py OLDER NEWER [--generated N] [--claims N] [--jobs N] [--without-python] [SCAN ...]
        same_outputs.py --self-test
 
-OLDER and NEWER are build folders, with flowcert, flowcert-oracle and the Python package. Runs what same_runs.py lists,
-and compares exit status, standard output, standard error and every file that is written. A scan (OBJ or XYZ) of more
-than 6,000 points is given to compute, persistence and pockets; every option is tried on about 3,000 of its points.
+OLDER and NEWER are build folders, with flowcert, flowcert-oracle, flowcert-proof and the Python package. Runs what
+same_runs.py lists, and compares exit status, standard output, standard error and every file that is written. A scan
+(OBJ or XYZ) of more than 6,000 points is given to compute, persistence and pockets; every option is tried on about
+3,000 of its points.
 Inputs and claims are made once, by OLDER. Guarantees: all bytes are compared but the header (what made it), a page's
 program, times, ratios to times, memory, and what is of the kernel that is the usual one: its name, tallies of filters
 and of exact numbers, and the lengths of its chains.
@@ -131,7 +132,8 @@ def arguments():
 def all_runs(program, options, scratch):
     inputs = same_runs.generated(program, options.generated)
     cases = same_runs.vector_cases()
-    runs = [*same_runs.runs_on_generated(inputs), *same_runs.runs_on_judgements(cases),
+    runs = [*same_runs.runs_on_generated(inputs), *same_runs.runs_of_proofs(program, inputs),
+            *same_runs.runs_on_judgements(cases),
             *same_runs.runs_on_mutated_claims(program, cases, options.claims),
             *same_runs.runs_without_points(program), *same_runs.runs_on_files_of_others()]
     for scan in options.scans:

@@ -1,7 +1,8 @@
 """What ./dev same runs: every command, on generated inputs, scans, vectors, claims and the files of tests/inputs.
 
-A run is one call of a program. Its program is `flowcert`, `flowcert-oracle` or `python3`, by the name alone: whoever
-runs it knows the folder. Guarantees: every command that `flowcert --help` lists is in some run, which the test asks.
+A run is one call of a program. Its program is `flowcert`, `flowcert-oracle`, `flowcert-proof` or `python3`, by the name
+alone: whoever runs it knows the folder. Guarantees: every command that `flowcert --help` lists is in some run, which
+the test asks.
 """
 import dataclasses
 import json
@@ -46,7 +47,7 @@ def commands(source, is_small):
     yield ["compute", source, "--json", "-o", "points.jsonl"]
     yield ["compute", source, "--manifolds", "s2", "--stats", "--skeletons", "-o", "points.jsonl"]
     yield ["compute", source, "--manifolds", "all", "--volumes", "shares", "--json", "-o", "all.jsonl"]
-    yield ["persistence", source, "--json", "-o", "pairs.pers"]
+    yield ["persistence", source, "--json", "-o", "pairs.pers", "--certificate", "cells.fcert"]
     yield ["pockets", source, "--json"]
     if not is_small:
         return
@@ -103,6 +104,37 @@ def runs_on_generated(inputs):
         if points.count(b"\n") <= ORACLE_POINTS + 1:
             yield Run(name, "flowcert-oracle", ("stationary", "points.xyz", "--json"), b"", files)
         yield Run(name, "flowcert-oracle", ("orbit", "points.xyz", "--from", POSITION, "--json"), b"", files)
+
+
+def proved_files(program, points):
+    """The point file, with the list, the pairs and the certificate of it, if the program takes it."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        (folder / "points.xyz").write_bytes(points.replace(b"# a case\n", b""))  # comments are not proved
+        subprocess.run([program, "compute", "points.xyz", "-o", "list.jsonl", "--certificate", "cells.fcert"],
+                       cwd=folder, check=False, capture_output=True)
+        pairs = subprocess.run([program, "persistence", "points.xyz", "--json"], cwd=folder, check=False,
+                               capture_output=True)
+        (folder / "pairs.json").write_bytes(pairs.stdout)
+        return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
+def with_byte_changed(data, rng):
+    place = rng.randrange(len(data))
+    return data[:place] + bytes([data[place] ^ 1 << rng.randrange(8)]) + data[place + 1:]
+
+
+def runs_of_proofs(program, inputs):
+    """What is right, and the same with one bit changed in one file."""
+    words = ("points.xyz", "cells.fcert", "list.jsonl", "--pairs", "pairs.json")
+    for name, points in inputs:
+        files, rng = proved_files(program, points), random.Random(name)
+        if "cells.fcert" not in files:
+            continue
+        yield Run(name, "flowcert-proof", words, b"", tuple(files.items()))
+        changed = rng.choice(sorted(files))
+        files[changed] = with_byte_changed(files[changed], rng)
+        yield Run(f"{name}, {changed} changed", "flowcert-proof", words, b"", tuple(files.items()))
 
 
 def points_of(scan):
