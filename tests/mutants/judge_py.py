@@ -19,7 +19,7 @@ ROOT = Path(__file__).resolve().parents[2]
 # Mutants that behave as the original does, or that other tests notice, and why. They are not run.
 EQUIVALENT = {
     "exchange_point: doubles or None -> doubles": "Only whether there is a position is asked of it.",
-    "read_bars: 1 -> 2": "Only whether there was such a line is asked of it.",
+    "read_bars: 1 -> 2 in infinities = 1": "Only whether there was such a line is asked of it.",
     "Judge.check_stray: squared_distance(nearest_in_hull(contact, center), center) <= allowed -> "
     "squared_distance(nearest_in_hull(contact, center), center) < allowed":
         "Both sides are 0 of a sample alone, which is no stray claim; other coordinates do not meet a bound exactly.",
@@ -39,7 +39,7 @@ EQUIVALENT = {
     "in_interior: {-1, 1} <= {sign_of_det(*plane, a) for a in v} -> {-1, 1} < {sign_of_det(*plane, a) for a in v}":
         "The two vectors that span a plane are on it, so that 0 is always there.",
     "in_interior: -1 -> 1": "Pairs of vectors span a supporting plane in both orders, as its vectors are around x.",
-    "nearest_in_hull: 5 -> 6": "Four points or fewer have the smallest ball of any set.",
+    "nearest_in_hull: 5 -> 6 in range(1, 5)": "Four points or fewer have the smallest ball of any set.",
     "Truth.placed: set(names) < set(one.contact) -> set(names) <= set(one.contact)":
         "A set that is equal has been found before.",
     "Judge.check_limits: dot(*(cross(minus(q, p), minus(r, p)) for p, q, r in sides)) < 0 -> "
@@ -48,9 +48,9 @@ EQUIVALENT = {
     "run_command: run.wait() -> pass":
         "What has been killed is waited for, so that it leaves the table of processes. No answer depends on it.",
     "read_csv: len(fields) > 4 -> len(fields) >= 4": "A line whose fourth field is empty is refused either way.",
-    "number: 0 -> 1": "An exponent of 1 is as good as none: it is at most 700.",
+    "number: 0 -> 1 in parts[1] or 0": "An exponent of 1 is as good as none: it is at most 700.",
     "roots_differ_by: left <= 0 -> left < 0": "Where it is 0, so is its square, and 4 a b is not less.",
-    "parse: 0 -> 1": "A depth of 1 is as good as none: it is at most 16.",
+    "parse: 0 -> 1 in default=0": "A depth of 1 is as good as none: it is at most 16.",
     ": Fraction(value.text) <= Fraction(most.text) -> Fraction(value.text) < Fraction(most.text)":
         "The greatest id is the only maximum. No input of a test has so many rows, so that it is refused either way.",
     ": if __name__ == '__main__': -> if False:": "All other tests of judge.py start it as a program, and would fail.",

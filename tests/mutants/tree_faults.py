@@ -61,7 +61,7 @@ class Planter(ast.NodeTransformer):
     """Numbers all faults of a tree, and plants the one of a number."""
 
     def __init__(self, wanted=None):
-        self.wanted, self.found, self.names = wanted, [], []
+        self.wanted, self.found, self.names, self.parents = wanted, [], [], []
 
     def visit(self, node):
         if isinstance(node, ast.JoinedStr):  # words of messages
@@ -72,9 +72,13 @@ class Planter(ast.NodeTransformer):
         for other in [*other_expressions(node), *other_statements(node)]:
             if len(self.found) == self.wanted:
                 changed = ast.copy_location(other, node)
-            old, new = (ast.unparse(one).split("\n")[0] for one in (node, ast.fix_missing_locations(other)))
-            self.found.append((node.lineno, f"{'.'.join(self.names)}: {old} -> {new}"))
+            whole = [node, ast.fix_missing_locations(other), *self.parents[-1:]]
+            old, new, parent = (ast.unparse(one).split("\n")[0] for one in whole)
+            place = f" in {parent}" if isinstance(node, ast.Constant) else ""
+            self.found.append((node.lineno, f"{'.'.join(self.names)}: {old} -> {new}{place}"))
+        self.parents.append(node)
         result = self.generic_visit(node) if changed is None else changed
+        self.parents.pop()
         if is_named:
             self.names.pop()
         return result
