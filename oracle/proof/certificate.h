@@ -75,7 +75,7 @@ class CertificateReader {
     count_ = std::strtoull(bytes_.c_str() + at_, nullptr, 10);
     if (!take(std::to_string(count_) + "\n\n")) fail("its number of cells");
     if ((count_ == 0) != (t_.dimension < 1)) fail("there are cells if and only if the dimension is at least 1");
-    if (count_ > bytes_.size() - at_ || count_ >= kOpen / 4) fail("it has not the cells that it says");  // a byte each
+    if (count_ > bytes_.size() - at_ || count_ >= kOpen / 4) fail("it says too many cells");  // a byte each
   }
 
   // The cells are glued one by one, each to a facet of an earlier one.
@@ -101,10 +101,9 @@ class CertificateReader {
     for (int shift = 0; shift < 35 && at_ < bytes_.size(); shift += 7) {
       const auto byte = static_cast<std::uint8_t>(bytes_[at_++]);
       value |= std::uint64_t{byte & 127U} << shift;
-      if (byte < 128 && value <= std::uint64_t{1} << 33) return value;
-      if (byte < 128) break;
+      if (byte < 128) return value;  // no point has a number beyond 2^33
     }
-    fail("a number is cut short, or too large");
+    fail("a number is cut short, or too long");
   }
   Id id(std::uint64_t number) const {
     if (!points_.is_id(number)) fail("there is no point " + std::to_string(number));

@@ -101,7 +101,7 @@ class Comparison : public JsonReader {
     const char* at = text.c_str();
     double written = 0;
     if (!is_json && text != "null") fail("a number is due");
-    if (is_json && read_decimal(at, written) && *at == '\0' && written == expected && std::isfinite(written)) return;
+    if (read_decimal(at, written) && *at == '\0' && written == expected && std::isfinite(written)) return;
     if (text != "null" || std::isfinite(expected)) refute_here(key + " is not the nearest double");
   }
   static bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }

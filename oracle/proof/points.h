@@ -72,8 +72,9 @@ class Points {
     std::vector<Row> rows;
     const auto fail = [&](std::size_t row, const char* why) { cannot_decide(path + ":" + std::to_string(row) + why); };
     if (path.ends_with(".xyz") && !bytes.empty()) {
-      for (const char* at = bytes.c_str(); at != bytes.c_str() + bytes.size();) {
-        if (!read_row(at, rows.emplace_back())) fail(rows.size(), ": not three decimals with blanks between");
+      const char *at = bytes.c_str(), *const end = at + bytes.size();
+      while (at != end) {
+        if (!read_row(at, end, rows.emplace_back())) fail(rows.size(), ": not three decimals with blanks between");
       }
     } else if (path.ends_with(".f64") && bytes.size() % sizeof(Row) == 0) {
       static_assert(std::endian::native == std::endian::little && sizeof(Row) == 24);
@@ -90,13 +91,13 @@ class Points {
     if (rows.size() >= kNone) cannot_decide(path + ": too many rows");
     return rows;
   }
-  static bool read_row(const char*& at, Row& row) {
+  static bool read_row(const char*& at, const char* end, Row& row) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t blanks = k == 0 ? 0 : std::strspn(at, " \t");
       if ((k > 0 && blanks == 0) || !read_decimal(at += blanks, row[k])) return false;
     }
     if (*at == '\r' && at[1] == '\n') ++at;
-    return *at == '\n' ? (++at, true) : *at == '\0';
+    return at == end || *at++ == '\n';
   }
 
   void find_ids(const std::vector<Row>& rows) {

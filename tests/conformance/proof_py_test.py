@@ -320,8 +320,10 @@ class ProofTest(unittest.TestCase):
         self.expect(self.of_certificate(points, expected.replace(f"sha256 {digest(points)}\n".encode(), b"")), 0,
                     "no hash of the points")
         line = [(k, 0, 0) for k in range(300, 0, -1)]
-        self.expect(self.of_cells(line, [(k, k + 1) for k in range(299)], "--from-cells", out), 0)
-        self.expect(self.of_certificate(line, Path(out).read_bytes()), 0, "these 299 cells")
+        for first in (0, 128):  # a number of two bytes, the least one
+            cells = [(k % 299, k % 299 + 1) for k in range(first, first + 299)]
+            self.expect(self.of_cells(line, cells, "--from-cells", out), 0)
+            self.expect(self.of_certificate(line, Path(out).read_bytes()), 0, "these 299 cells")
         far = [(0, 0, 0), *[(0, 0, 0)] * 200, (1, 0, 0), (3, 0, 0)]
         self.expect(self.of_cells(far, [(7, 201), (202, 201)], "--from-cells", out), 0)
         body = bytes([0, 201 % 128 + 128, 201 // 128, 0])  # then 0 is replaced by 202: a step of 202
@@ -339,12 +341,15 @@ class ProofTest(unittest.TestCase):
         good = certificate(points, 2, 2, numbers, digest(points))
         self.expect(self.of_certificate(points, good), 0)
         head, _, body = good.partition(b"\n\n")
+        hashed = digest(points).encode()
         swapped = {"version": (b"certificate 1", b"certificate 2"), "word": (b"flowcert", b"flowCert"),
                    "CR": (b"\n", b"\r\n"), "blank": (b"points 5", b"points  5"), "zero": (b"points 5", b"points 05"),
                    "sign": (b"points 5", b"points +5"), "dimension": (b"dimension 2", b"dimension 4"),
                    "none": (b"dimension 2", b"dimension 0"), "empty": (b"cells 2", b"cells 0"),
                    "long": (b"cells 2", b"cells " + b"9" * 5000), "hash": (b"sha256 ", b"sha256 0"),
-                   "key": (b"dimension", b"size"), "no line": (b"dimension 2\n", b"")}
+                   "key": (b"dimension", b"size"), "no line": (b"dimension 2\n", b""),
+                   "capitals": (hashed, hashed.upper()), "bare": (b"sha256 " + hashed + b"\ndimension ", b""),
+                   "no name": (b"flowcert-certificate 1\npoints ", b"")}
         broken = [good.replace(*one, 1) for one in swapped.values()]
         broken += [b"", b"\0", head, head + b"\n", head + b"\n\n", good + b"\0", good + b"\x80"]
         broken += [good[:k] for k in range(len(good))]
@@ -355,7 +360,7 @@ class ProofTest(unittest.TestCase):
         for data in broken:
             with self.subTest(data=data[:200]):
                 self.expect(self.of_certificate(points, data), 2, "p.fcert: cannot be decoded: ")
-        for data in (good.replace(b"points 5", b"points 6"), good.replace(digest(points).encode(), b"0" * 64)):
+        for data in (good.replace(b"points 5", b"points 6"), good.replace(hashed, b"0" * 64)):
             self.expect(self.of_certificate(points, data), 2, "p.fcert: not of these points")
         self.expect(self.of_certificate(points, certificate(points, 2, 2, [2**33])), 2, f"{2**33} is not the first row")
         self.expect(self.of_certificate(points, certificate(points, 2, 2, [2**33 + 1])), 2, "a number beyond 2^33")
@@ -374,16 +379,22 @@ class ProofTest(unittest.TestCase):
         for arguments in ([scan], [], [scan, cells, "--cells", cells], [scan, "x", "--from-cells", "y"]):
             ended = subprocess.run([sys.executable, str(FOLDER / "proof.py"), *arguments], capture_output=True)
             self.assertEqual((ended.returncode, b"Traceback" in ended.stderr), (2, False))
-        with open("/dev/full", "w", encoding="ascii") as full:
-            ended = subprocess.run([sys.executable, str(FOLDER / "proof.py"), scan, "--cells", cells], stdout=full,
-                                   stderr=subprocess.PIPE)
-        self.assertEqual((ended.returncode != 0, b"Traceback" in ended.stderr), (True, False))
+            self.assertIn(b"usage: ", ended.stderr)
+        buffered = {key: value for key, value in os.environ.items() if key != "PYTHONUNBUFFERED"}
+        for of_cells in (cells, self.file("one.txt", rows(HALVES[:1]))):  # which is right, and which is wrong
+            with open("/dev/full", "w", encoding="ascii") as full:
+                ended = subprocess.run([sys.executable, str(FOLDER / "proof.py"), scan, "--cells", of_cells],
+                                       stdout=full, stderr=subprocess.PIPE, env=buffered)
+            self.assertEqual((ended.returncode, b"Traceback" in ended.stderr), (2, False))
+        with unittest.mock.patch.object(proof, "prove", side_effect=MemoryError):
+            self.expect(self.run_proof(scan, "--cells", cells), 2, "there is not enough memory\n")
 
     def test_cells_that_cannot_be_read(self):
         for text in ("0 1 2\n1 2 4\n", "0 1 2\n1 2\n", "0 1 2\n\n", "0 1 2 3 0\n", "0\n", "a b c\n", "0 1 -2\n",
                      " 0 1 2\n", "0 1 2 \n", "0,1,2\n", "0 1 2.0\n", "0 1 99999999999\n", "0 1 \u0662\n", "0 1 2\r"):
             scan = self.file("p.xyz", text_of(SQUARE))
-            self.expect(self.run_proof(scan, "--cells", self.file("c.txt", text.encode())), 2, "c.txt:")
+            self.expect(self.run_proof(scan, "--cells", self.file("c.txt", text.encode())), 2,
+                        f"c.txt:{2 if text.startswith('0 1 2' + chr(10)) else 1}: ")
         self.expect(self.run_proof(scan, "--cells", self.file("c.txt", b"0 1\t2\r\n03 1  2")), 0)
 
     def test_points_in_text_and_raw(self):
@@ -399,7 +410,11 @@ class ProofTest(unittest.TestCase):
                     "1 2 \u0663".encode(), b"1 2 3\r\r", b"1 2 3\0", b"\xff\xfe"):
             self.expect(self.run_proof(self.file("b.xyz", bad + b"\n" + good), "--cells", cells), 2, "b.xyz:1: ")
         self.expect(self.run_proof(self.file("b.xyz", b""), "--cells", cells), 2, "b.xyz:1: ")
+        for end in (b"1 2 ", b"1 2 0\r", b"1 2 0 ", b"1 2 0\0"):
+            self.expect(self.run_proof(self.file("b.xyz", good + end), "--cells", cells), 2, "b.xyz:5: ")
         raw = same["p.f64"]
+        for of_cells in (cells, self.file("none.txt", b"")):
+            self.expect(self.run_proof(self.file("p.raw", raw), "--cells", of_cells), 2, "p.raw: neither")
         for data, row in ((raw + b"\0", 5), (raw[:-8] + struct.pack("<d", float("inf")), 4), (b"\0", 1)):
             self.expect(self.run_proof(self.file("b.f64", data), "--cells", cells), 2, f"b.f64:{row}: ")
 
@@ -434,6 +449,11 @@ class ProofTest(unittest.TestCase):
                     "not compared, header of", "cgal, left_out, morse_smale, hull_volume, volumes\n")
         respelled = written([head, *records]).replace(b"[0.0,0.0,0.0]", b"[0,-0.0,0E5]")
         self.expect(self.of_certificate(self.TRAPEZOID, data, self.file("l", respelled)), 0)
+
+    def test_the_name_of_a_list_may_be_no_text(self):
+        data, lines = self.right_case(self.TRAPEZOID), list_of(self.TRAPEZOID)
+        name = os.fsdecode(b"l\xff")
+        self.expect(self.of_certificate(self.TRAPEZOID, data, self.file(name, written(lines))), 0, "l\\udcff: index, ")
 
     def test_forged_values_are_refuted(self):
         data, lines = self.right_case(self.TRAPEZOID), list_of(self.TRAPEZOID)
@@ -483,6 +503,7 @@ class ProofTest(unittest.TestCase):
             undecodable(written([head, forged, *lines[2:]]), 2, f'the key "{key}" is not proved')
         undecodable(written([{**head, "more": 1}, *lines[1:]]), 1, 'the key "more" is not proved')
         undecodable(written([{**head, "centers": "exact"}, *lines[1:]]), 1)
+        undecodable(written([{**head, "centers": "exact"}, *list_of(self.TRAPEZOID, "double")[1:]]), 1)
         undecodable(written([{**head, "centers": "none"}, *lines[1:]]), 2)
         undecodable(written([dict(list(record.items())[::-1])]), 1)
         for lacks in head:
@@ -501,13 +522,23 @@ class ProofTest(unittest.TestCase):
                      good.replace('"index":0', '"index":0.0'), good.replace('"kind"', '"index":0,"kind"'),
                      good.replace('"contact":[0]', '"contact":[0,]'), good.replace("0.0", "NaN"),
                      good.replace("0.0", "Infinity"), good.replace("0.0", "+0.0"), good.replace("0.0", ".0"),
-                     good.replace('["0"', "[0"), "[" * 100000, '{"' + "a" * 100000, "9" * 100000):
+                     good.replace("0.0", "0.0x"), good.replace('["0"', "[0"), good.replace('"squared_', '"square_'),
+                     good.replace('{"index"', '{,"index"'), good.replace(',"kind"', '"kind"'), "[" * 100000,
+                     '{"' + "a" * 100000, "9" * 100000):
             undecodable(written([head, text, *lines[2:]]), 2)
         undecodable(b"", 1)
         undecodable(written(lines)[:-1], len(lines))
         undecodable(written(lines[:1]) + b"\xff\n", 2)
         undecodable(written(lines).replace(b'"commit":"c"', b'"commit":"\n"'), 1)
         undecodable(written(lines).replace(b'"commit":"c"', b'"commit":"\xfa"'), 1)
+
+    def test_values_of_thousands_of_digits(self):
+        large, small = 2**1000, Fraction(1, 2**1074)
+        points = [(0, 0, 0), (9 * large, 10 * large, 3 * small), (9 * large, 5 * small, 11 * large),
+                  (7 * small, 9 * large, 10 * large)]
+        data, lines = self.right_case(points), list_of(points)
+        self.assertGreater(max(line.get("squared_distance", "").find("/") for line in lines), 4300)
+        self.expect(self.of_certificate(points, data, self.file("l", written(lines))), 0)
 
     def test_a_zero_has_no_sign(self):
         points = [(-5e-324, 0, 0), (-0.0, -0.0, 0)]
@@ -541,6 +572,18 @@ class ProofTest(unittest.TestCase):
             self.expect(self.of_cells(points, cells, "--from-cells", out), 0)
             self.expect(self.of_certificate(points, Path(out).read_bytes(), self.file("l", text)), 0)
         self.assertEqual(kinds, {2, 3})
+
+    def test_a_circle_of_two_cells_whose_centre_is_in_a_triangle(self):
+        points, diagonals = [(5, 0, 0), (-3, 4, 0), (-4, -3, 0), (0, -5, 0), (0, 0, 7)], set()
+        text = written(list_of(points))
+        self.assertIn(b'"index":2,"kind":"critical","contact":[0,1,2,3]', text)
+        for seed in range(8):
+            cells = delaunay(points, random.Random(seed))[1]
+            diagonals.add(any({0, 2} <= set(cell) for cell in cells))
+            out = str(self.folder / "out.fcert")
+            self.expect(self.of_cells(points, cells, "--from-cells", out), 0)
+            self.expect(self.of_certificate(points, Path(out).read_bytes(), self.file("l", text)), 0)
+        self.assertIn(True, diagonals)
 
     def test_a_double_beyond_all_is_null(self):
         points = [(0, 0, 0), (2**600, 0, 0), (0, 2**601, 0)]

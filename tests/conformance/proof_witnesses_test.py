@@ -24,21 +24,23 @@ from pathlib import Path
 import proof_py_test
 from proof_py_test import delaunay, dot, list_of, minus, proof, smallest_sphere, written
 
-CASES = []  # of the program: its arguments, the statuses that are right, and what has to be in its output
+CASES = []  # of the program: its arguments, the statuses that are right, and what it has to print, wherever
+FULL = "standard output cannot be written"  # what it has to print where nothing can be
 
 
 def fault_of(program, case):
     """What is wrong with the program's answer to a case, or None."""
     arguments, statuses, words = case
     try:
-        result = subprocess.run([program, *arguments], capture_output=True, timeout=20)
+        with open("/dev/full" if FULL in words else "/dev/null", "wb") as nowhere:
+            out = nowhere if FULL in words else subprocess.PIPE
+            result = subprocess.run([program, *arguments], stdout=out, stderr=subprocess.PIPE, timeout=20)
     except subprocess.TimeoutExpired:
         return "no answer"
-    told = result.stdout.decode(errors="backslashreplace")
+    told = ((result.stdout or b"") + result.stderr).decode(errors="backslashreplace")
     if result.returncode in statuses and all(part in told for part in words):
         return None
-    answer = f"{result.returncode} {told[:400]}{result.stderr.decode(errors='backslashreplace')}"
-    return f"{' '.join(arguments)}: not {statuses} {words}, but {answer}"
+    return f"{' '.join(arguments)}: not {statuses} {words}, but {result.returncode} {told[:400]}"
 
 
 def pairs_of(points, cells):
@@ -90,6 +92,9 @@ class WitnessTest(proof_py_test.ProofTest):
             return result
         if "--cells" not in arguments:
             self.keep_certificate(arguments, *result)
+        elif result[0] == 2 and (row := re.match(r".*/(b\.(?:xyz|f64):[0-9]+: )", result[1])):
+            is_of_row = row[1].startswith("b.xyz") and Path(arguments[0]).stat().st_size > 0
+            self.keep((arguments[0], self.file("any.fcert", b"")), {2}, row[1] if is_of_row else "b.")
         elif result[0] < 2 and (data := self.glued(*arguments[:3:2])) is not None:
             certificate = (arguments[0], self.file("glued.fcert", data))
             status, told = super().run_proof(*certificate)
@@ -126,6 +131,8 @@ class WitnessTest(proof_py_test.ProofTest):
             self.keep(arguments, {1, 2})
         elif status == 2 and (not text or "is not proved" in told):
             self.keep(arguments, {2})
+        elif status == 2 and b'"commit":"c"' in text:
+            self.keep(arguments, {2} if b"NaN" in text else {1, 2}, *["a number is due"] if b"NaN" in text else [])
         elif status == 1:
             self.keep(arguments, {1}, re.match("certificate rejected: T|list refuted: line [0-9]+: ", told).group())
 
@@ -169,6 +176,20 @@ class WitnessTest(proof_py_test.ProofTest):
                  (1, 5, 6), (6, 8, 9), (5, 6, 9)]
         self.assertEqual(self.prove(points, cells, 0, "text"), 0)
 
+    def test_cells_that_are_announced_and_not_there(self):
+        """No memory is taken for them."""
+        data = proof_py_test.certificate(proof_py_test.SQUARE, 2, 10**6, [0, 1, 2, 0, 0, 0])
+        self.of_certificate(proof_py_test.SQUARE, data)
+        self.keep((str(self.folder / "p.xyz"), str(self.folder / "p.fcert")), {2}, "it says too many cells")
+
+    def test_usage(self):
+        scan = self.scan(proof_py_test.SQUARE)
+        for arguments in ((), (scan,), (scan, scan, scan, scan), (scan, scan, "--pairs"), (scan, scan, "-x")):
+            self.keep(arguments, {2}, "usage: ")
+        out = str(self.folder / "out.fcert")
+        self.expect(self.of_cells(proof_py_test.SQUARE, proof_py_test.HALVES, "--from-cells", out), 0)
+        self.keep((scan, out), {2}, FULL)
+
     # ---- Numbers
 
     def prove(self, points, cells, scale, kind):
@@ -185,6 +206,7 @@ class WitnessTest(proof_py_test.ProofTest):
             self.expect(self.run_proof(scan, out, records), 0)
             if max(abs(x) for point in exact for x in point) < 2**500:
                 self.keep_pairs(scan, out, records, exact, cells)
+                self.keep_exact_pairs(scan, out, exact, cells)
         return result[0]
 
     def keep_pairs(self, scan, certificate, records, exact, cells):
@@ -193,11 +215,79 @@ class WitnessTest(proof_py_test.ProofTest):
                  for dimension, birth, death in pairs]
         told = f"proved: all {len(pairs)} pairs, dimensions 0 to 2, as nearest doubles"
         endless = [line.replace("inf", "1e300") for line in lines]
-        for text, is_right in ((["# a comment", *lines[::-1]], True), ([*lines, lines[-1]], False), (lines[1:], False),
-                               (endless, False)):
+        refused = "not a dimension, a birth and a death"
+        variants = (
+            (["# a comment", *lines[::-1]], 0, told), ([*lines, lines[-1]], 1, "pairs refuted"),
+            (lines[1:], 1, "pairs refuted"), (endless, 1, "pairs refuted"), ([*lines, "x 0 1"], 2, refused),
+            ([lines[0].replace(" ", "\t"), *lines[1:]], 2, refused), ([lines[0] + "x", *lines[1:]], 2, refused),
+            ([lines[0][::-1].replace(" ", ";", 1)[::-1], *lines[1:]], 2, refused),
+            ([line.replace("inf", "1e999") for line in lines], 2, refused),
+            (["# flowcert: plain values, not squared", *lines], 2, "not squared"),
+            (["# With regular stationary points, as pairs of length zero.", *lines], 2, "length zero"))
+        for text, status, words in variants if len(exact) == 5 else variants[:4]:  # enough of them, which take time
             file = self.file("p.pers", "".join(f"{line}\n" for line in text).encode())
-            verdict = ({0}, told) if is_right else ({1}, "pairs refuted")
-            self.keep((scan, certificate, "--pairs", file), *verdict)
+            self.keep((scan, certificate, "--pairs", file), {status}, words)
+
+    def test_values_beyond_the_doubles_are_no_infinity(self):
+        points = [(0, 0, 0), (2**600, 0, 0)]
+        out = str(self.folder / "out.fcert")
+        self.expect(self.of_cells(points, [(0, 1)], "--from-cells", out), 0)
+        pairs = self.file("p.pers", b"0 0.0 inf\n" * 2)
+        self.keep((str(self.folder / "p.xyz"), out, "--pairs", pairs), {2}, "is beyond the doubles")
+
+    def test_no_points_have_no_pairs(self):
+        self.of_certificate([], proof_py_test.certificate([], -1, 0, []))
+        files = (str(self.folder / "p.f64"), str(self.folder / "p.fcert"))
+        self.keep((*files, "--pairs", self.file("p.pers", b"")), {0}, "proved: all 0 pairs")
+
+    def keep_exact_pairs(self, scan, certificate, exact, cells):
+        """As persistence --json writes them. Each end is some critical point of its index and value."""
+        head, *lines = list_of(exact)
+        points = {}
+        for k, line in enumerate(lines):
+            order = ("contact", "center", "center_double", "squared_distance", "squared_distance_double")
+            fields = {"record": k, **{key: line[key] for key in order}}
+            points.setdefault((str(line["index"]), line["squared_distance"]), []).append(fields)
+        pairs = [{"dimension": dimension, "birth": points[str(dimension), str(birth)].pop(),
+                  "death": None if death is None else points[str(dimension + 1), str(death)].pop()}
+                 for dimension, birth, death in pairs_of(exact, cells)]
+        kept = ("version", "commit", "kernel", "compiler", "cgal", "input_sha256", "points", "merged_duplicates",
+                "critical", "regular_stationary")
+        header = {"format": "flowcert-persistence", "format_version": 1, **{key: head[key] for key in kept},
+                  "seconds": {"delaunay": [0.5, {"all": None}]}, "has_zero": False}
+        first, count = pairs[0], len(pairs)
+
+        def forged(end="birth", **fields):
+            return {"pairs": [{**first, end: {**first[end], **fields}}, *pairs[1:]]}
+
+        changes = (
+            ({}, 0, f"proved: all {count} pairs, dimensions 0 to 2, exactly"), ({"pairs": pairs[1:]}, 1, "refuted"),
+            ({"pairs": [*pairs, pairs[0]]}, 1, "is in another pair, too"),
+            ({"pairs": [{**one, "death": None} for one in pairs]}, 1 if count > 1 else 0, "pairs "),
+            ({"pairs": [{**first, "dimension": 3}, *pairs[1:]]}, 1, "there is no pair of dimension 3"),
+            ({"pairs": [{**first, "dimension": 1}, *pairs[1:]]}, 1, "has another index"),
+            (forged(record=len(lines)), 1, "there is no record"),
+            (forged(record=float(first["birth"]["record"])), 1, "there is no record"),
+            (forged(center=["0", "0", "1/7"]), 1, "center"),
+            (forged(more=0), 2, "cannot be decoded"), ({"more": 0}, 2, ""), ({"has_zero": True}, 2, "length zero"),
+            ({"points": len(exact) + 1}, 1, "points"), ({"format": "flowcert-stationary-points"}, 2, ""))
+        for change, status, words in changes if len(exact) == 5 else changes[:1]:  # enough of them, which take time
+            text = written([{**header, "pairs": pairs, **change}])
+            self.keep((scan, certificate, "--pairs", self.file("p.json", text)), {status}, words)
+        text = written([{**header, "pairs": pairs}])
+        for other in () if len(exact) != 5 else (
+                text + b"{}\n", text.replace(b'"has_zero":false', b'"has_zero":null'), text[:-2] + b",\n",
+                text.replace(b'},"death"', b'}"death"', 1),
+                text.replace(b'"commit":"c"', b'"commit":"c\\n"')):
+            self.keep((scan, certificate, "--pairs", self.file("p.json", other)), {2}, "cannot be decoded")
+
+    def test_what_doubles_cannot_tell_in_18_bits(self):
+        """The determinant is 1 in a sum of products of 2^50. Spheres of a cube are equal, of numbers of 130 bits."""
+        rows = [(0, 0, 0), (-90774, -57293, 72024), (-114104, -72018, 90535), (-118103, -74542, 93708)]
+        self.assertEqual(abs(proof_py_test.determinant(rows[1:])), 1)
+        self.assertEqual(self.prove(rows, [(0, 1, 2, 3)], 0, "text"), 0)
+        cube = [tuple(999 * x for x in corner) for corner in itertools.product((0, 1), repeat=3)]
+        self.assertEqual(self.prove(cube, delaunay(cube, random.Random(3))[1], 0, "text"), 0)
 
     def test_drawn_inputs_at_many_scales(self):
         rng = random.Random(453)

@@ -51,6 +51,15 @@ EQUIVALENT = {
     "x.value < 0 ? -1 -> x.value <= 0 ? -1": "The sign of 0 is never certain.",
     "filtered.has_certain_sign() -> false": "All is computed in integers.",
     "grid_bits_ <= bits -> grid_bits_ < bits": "A bit fewer than 128 bits hold.",
+    "int bits = 18 -> int bits = 19": "6 bits + 13 is 127 then, which 128 bits hold with a sign.",
+    "std::ilogb(x) + 1 -> std::ilogb(x)":
+        "The filter's bound is relative, and 128 bits hold one bit more, by Hadamard's bound for radii.",
+    "std::ilogb(x) + 1 -> std::ilogb(x) + 2": "The scale is half as large, and a bit fewer is computed in 128.",
+    "rows[a] < rows[b] -> rows[a] > rows[b]": "Equal rows stand together in either order.",
+    "if (v[1] == kNone) return {{}, N{1}}; -> if (v[1] == kNone) return {{}, N{2}};":
+        "The numerator is 0, whatever the denominator is.",
+    "if (first == facet) open_.push_back(facet); -> open_.push_back(facet);":
+        "A facet that has got its cell is passed over when its turn comes.",
     "x += 0.0 -> x": "A zero is compared as a number everywhere, and has no sign on the grid.",
     'if (rows.size() >= kNone) cannot_decide(path + ": too many rows"); -> nothing':
         "No test has 2^32 rows, which are 96 GB.",
@@ -66,8 +75,40 @@ EQUIVALENT = {
     "t_.opposite(facet)) > 0 -> t_.opposite(facet)) >= 0":
         "With link vertices on the sphere and none inside, both values are the same.",
     "if (about.has_certain_sign()) return sign_of(about); -> nothing": "All is computed in integers.",
+    "polynomial, 6) -> polynomial, 7)": "128 bits hold what one bit more gives, by Hadamard's bound.",
+    "a.quotient < b.quotient -> a.quotient > b.quotient": "What is not sorted then is sorted by exact values.",
+    "std::isfinite(quotient) ? quotient : 0 -> quotient":
+        "What is sorted badly because of NaN is sorted by exact values.",
     "points_.grid_bits() <= 6 -> points_.grid_bits() < 6": "BigInteger is as right as 128 bits.",
     "points_.grid_bits() <= 6 -> points_.grid_bits() <= 0": "BigInteger is as right as 128 bits.",
+    "Points.__init__: below.bit_length() - 1 -> below.bit_length() + 1": "The grid is finer by two bits.",
+    "Points.__init__: 0 -> 1 in default=0": "There are no coordinates then.",
+    "face_of: turn + i + sum((a > b for a, b in combinations(rest, 2))) -> turn + i - sum((a > b for a, b in "
+    "combinations(rest, 2)))": "Only the parity counts.",
+    "face_of: turn + i -> turn - i": "Only the parity counts.",
+    "face_of: a > b -> a >= b": "Only a facet with a vertex twice has another parity; its cell and the next have both.",
+    "Triangulation.enter: 0 -> 1 in face_of(cell, 0, i)": "All orientations are compared with each other alone.",
+    "Triangulation.enter: 2 -> 3 in :2": "Nobody reads the third one.",
+    "Triangulation.check_dimension: 1 -> 2 in (self.points.distinct, self.dimension, None, 1)": "Only its sign counts.",
+    "Triangulation.check_dimension: 1 -> 2 in 1 if normal[self.axis] > 0 else -1": "Only its sign counts.",
+    "Triangulation.check_dimension: 1 -> 2 in -1": "Only its sign counts.",
+    "Triangulation.check_dimension: 0 -> 1 in cells[0][0]": "Any vertex of the cell is in its affine hull.",
+    "Triangulation.check_dimension: normal[self.axis] > 0 -> normal[self.axis] >= 0": "It is not 0 along this axis.",
+    "Triangulation.check_cells: mate and mate[0] > c -> mate": "T3 is asked of a pair twice, with the same answer.",
+    "Triangulation.check_cells: mate[0] > c -> mate[0] >= c": "No cell with a volume is its own neighbour.",
+    "Triangulation.check_hull: side < 0 -> side <= 0": "A side is 1 or -1.",
+    "Triangulation.check_hull: 0 -> 1 in side < 0": "A side is 1 or -1.",
+    "Triangulation.check_hull: len(sides) != 2 or sides[0][0] == sides[1][0] -> len(sides) != 2":
+        "T4 follows from T2, T5 and T7 (FC-CERT-02).",
+    "read_cells: volume > 0 -> volume >= 0": "A cell without volume is rejected before.",
+    "encode: 0 -> 1 in face_of(cell, 0, i)": "Its orientation is not asked for.",
+    "encode.apex_behind: apex > opposite -> apex >= opposite": "They are different.",
+    "StationaryPoints.find_clusters: self.dimension == 3 and len(cluster) > 1 -> self.dimension == 3":
+        "A cell alone has the circles of its facets, which is what is taken without.",
+    "StationaryPoints.find_clusters: len(cluster) > 1 -> len(cluster) >= 1":
+        "A cell alone has the circles of its facets, which is what is taken without.",
+    "StationaryPoints.find_simplices: 2 -> 3 in self.dimension + 2": "No cell has so many vertices.",
+    "StationaryPoints.find_simplices: 0 -> 1 in default=0": "Neither is negative.",
     "test_rounding(); -> nothing": "The processor rounds as the bound needs it.",
 }
 
