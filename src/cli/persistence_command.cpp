@@ -75,8 +75,8 @@ std::vector<PersistencePair> longest_pairs(const Persistence& persistence, int d
   }
   const morse::ValueOrder order = morse::length_order(persistence.squared_distances(), ends);
   for (std::size_t k = order.size(); k > 0 && longest.size() < kLongestPairs; --k) {
-    const morse::PairEnds& pair = ends[order.at(k - 1)];
-    longest.push_back({dimension, pair.birth, pair.death});
+    const auto& [birth, death] = ends[order.at(k - 1)];
+    longest.push_back({dimension, static_cast<std::uint32_t>(birth), static_cast<std::uint32_t>(death)});
   }
   return longest;
 }

@@ -68,7 +68,7 @@ void PersistenceDiagram::add_regular() {
   for (std::size_t record = critical_count(stationary); record < stationary.size(); ++record) {
     const StationaryIndex index = stationary.index(record);
     for (int dimension = index.face_dimension; dimension < index.hull_dimension; ++dimension) {
-      pairs_.push_back({dimension, record, record});
+      pairs_.push_back({dimension, static_cast<std::uint32_t>(record), static_cast<std::uint32_t>(record)});
     }
   }
 }

@@ -1,5 +1,9 @@
 #include "flowcert/chain_complex.h"
 
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
 #include "geometry/floating_point.h"
 #include "morse/chain_boundary.h"
 #include "morse/layer.h"
@@ -12,9 +16,9 @@ using namespace morse;
 namespace {
 
 // The maximum that an orbit comes to, or infinity. At any other stationary point it goes on, by one of the ways.
-std::uint32_t resolved(const StationaryPoints& stationary, const UnstableManifolds& unstable,
+std::uint32_t resolved(const std::pair<std::size_t, std::size_t>& maxima, const UnstableManifolds& unstable,
                        std::optional<std::size_t> limit, TieBreaking& ties, std::size_t& broken) {
-  while (limit && stationary.index(*limit) != StationaryIndex{3, 3}) {
+  while (limit && (*limit < maxima.first || *limit >= maxima.second)) {
     ++broken;
     limit = unstable.limit_beyond(*limit, ties.choose(2));
   }
@@ -28,34 +32,40 @@ ChainComplex::ChainComplex(const PointSet& points, const StationaryPoints& stati
   const geometry::IeeeDoubles ieee;
   TieBreaking ties(seed, TieBreaking::Of::kUnstable);
   const RecordFinder finder(stationary);
-  std::vector<std::vector<std::uint32_t>> of_maximum(finder.range({3, 3}).second);
+  const auto edges = finder.range({1, 1}), saddles = finder.range({2, 2}), maxima = finder.range({3, 3});
+  limits_.resize(unstable.size());
   for (std::size_t i = 0; i < unstable.size(); ++i) {
-    auto& limits = limits_.emplace_back();
     for (const std::size_t side : {0U, 1U}) {
-      limits[side] = resolved(stationary, unstable, unstable.limit(i, side), ties, broken_ties_);
-    }
-    if (limits[0] == limits[1]) continue;
-    for (const std::uint32_t limit : limits) {
-      if (limit != kInfinity) of_maximum[limit].push_back(static_cast<std::uint32_t>(unstable.saddle(i)));
+      limits_[i][side] = resolved(maxima, unstable, unstable.limit(i, side), ties, broken_ties_);
     }
   }
-  // Critical points of index 0 are listed by name, as the ordinals of the point set are.
-  first_ = {0};
-  std::size_t next_set = 0;
-  for (std::size_t record = 0; record < stationary.size(); ++record) {
-    const StationaryIndex index = stationary.index(record);
-    if (index == StationaryIndex{1, 1}) {
-      for (const PointId name : stationary.contact(record)) {
-        cells_.push_back(static_cast<std::uint32_t>(points.ordinal_of_row(name)));
+  // How many cells the boundary before has, and then, as a sum, where the next one begins.
+  first_.assign(stationary.size() + 1, 0);
+  for (std::size_t edge = edges.first; edge < edges.second; ++edge) first_[edge + 1] = 2;
+  for (std::size_t i = 0; i < limits_.size(); ++i) first_[saddles.first + i + 1] = stable.boundary(i).size();
+  const auto for_each_side = [&](const auto& use) {
+    for (std::size_t i = 0; i < limits_.size(); ++i) {
+      if (limits_[i][0] == limits_[i][1]) continue;
+      for (const std::uint32_t limit : limits_[i]) {
+        if (limit != kInfinity) use(limit, static_cast<std::uint32_t>(saddles.first + i));
       }
-    } else if (index == StationaryIndex{2, 2}) {
-      const auto boundary = stable.boundary(next_set++);
-      cells_.insert(cells_.end(), boundary.begin(), boundary.end());
-    } else if (index == StationaryIndex{3, 3}) {
-      cells_.insert(cells_.end(), of_maximum[record].begin(), of_maximum[record].end());
     }
-    first_.push_back(cells_.size());
+  };
+  for_each_side([this](std::uint32_t maximum, std::uint32_t) { ++first_[maximum + 1]; });
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  cells_.resize(first_.back());
+  // Critical points of index 0 are listed by name, as the ordinals of the point set are.
+  for (std::size_t edge = edges.first; edge < edges.second; ++edge) {
+    const auto contact = stationary.contact(edge);
+    for (std::size_t k = 0; k < 2; ++k) {
+      cells_[first_[edge] + k] = static_cast<std::uint32_t>(points.ordinal_of_row(contact[k]));
+    }
   }
+  for (std::size_t i = 0; i < limits_.size(); ++i) {
+    std::ranges::copy(stable.boundary(i), cells_.begin() + static_cast<std::ptrdiff_t>(first_[saddles.first + i]));
+  }
+  std::vector<std::size_t> next(first_.begin() + static_cast<std::ptrdiff_t>(maxima.first), first_.end());
+  for_each_side([&](std::uint32_t maximum, std::uint32_t saddle) { cells_[next[maximum - maxima.first]++] = saddle; });
 }
 
 }  // namespace flowcert

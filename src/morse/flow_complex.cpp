@@ -134,7 +134,7 @@ void FlowComplex::make(FlowComplexPart part) const {
     case kPersistence:
       make(kChains);
       if (progress) progress(0, 1);
-      all.get<kPersistence>().emplace(all.points, stationary(), chains());
+      all.get<kPersistence>().emplace(all.points, stationary(), chains(), all.options.threads);
       break;
     case kLimits:
       all.get<kLimits>().emplace(diagram(), stationary(), all.options, progress);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <boost/sort/spreadsort/integer_sort.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -12,6 +14,8 @@
 #include "flowcert/sphere.h"
 #include "geometry/filter_bounds.h"
 #include "geometry/floating_point.h"
+#include "geometry/parallel_for.h"
+#include "geometry/portions.h"
 #include "geometry/value_range.h"
 #include "geometry/vector3.h"
 #include "morse/layer.h"
@@ -93,6 +97,41 @@ Approximation rounded(const Rational& value) {
   return {*nearest, *nearest * kUnitRoundoff + std::numeric_limits<double>::denorm_min()};
 }
 
+ValueRange range_of(const Approximation& value) { return range_around(value.value, value.error); }
+
+struct KeyedRecord {
+  std::uint64_t key;  // doubles that are not negative ascend as their bits do
+  std::uint32_t record;
+};
+bool is_less(const KeyedRecord& one, const KeyedRecord& other) { return one.key < other.key; }
+
+// Each thread sorts one part; then they are merged. Equal keys come in any order.
+void sort_in_parts(std::vector<KeyedRecord>& records, unsigned threads) {
+  const std::size_t part = std::max<std::size_t>((records.size() + threads - 1) / threads, 1);
+  const auto at = [&](std::size_t k) {
+    return records.begin() + static_cast<std::ptrdiff_t>(std::min(k * part, records.size()));
+  };
+  geometry::parallel_for(threads, threads, [&](std::size_t k) {
+    const auto shifted = [](const KeyedRecord& one, unsigned bits) { return one.key >> bits; };
+    boost::sort::spreadsort::integer_sort(at(k), at(k + 1), shifted, is_less);
+  });
+  for (std::size_t width = 1; width < threads; width *= 2) {
+    for (std::size_t k = 0; k < threads; k += 2 * width) {
+      std::inplace_merge(at(k), at(k + width), at(k + 2 * width), is_less);
+    }
+  }
+}
+
+void sort_by_low_end(const std::vector<Approximation>& values, std::span<std::uint32_t> records, unsigned threads) {
+  std::vector<KeyedRecord> keyed;
+  keyed.reserve(records.size());
+  for (const std::uint32_t record : records) {
+    keyed.push_back({std::bit_cast<std::uint64_t>(range_of(values[record]).low), record});
+  }
+  sort_in_parts(keyed, threads);
+  std::ranges::transform(keyed, records.begin(), &KeyedRecord::record);
+}
+
 }  // namespace
 
 Rational SquaredDistances::exact(std::size_t record) const {
@@ -123,35 +162,33 @@ Approximation SquaredDistances::length(std::size_t birth, std::size_t death) con
   return {to.value - from.value, from.error + to.error + (from.value + to.value) * kRoundingShare};
 }
 
-SquaredDistances::SquaredDistances(const PointSet& points, const StationaryPoints& stationary)
-    : points_(&points), stationary_(&stationary), rank_(stationary.size()) {
+SquaredDistances::SquaredDistances(const PointSet& points, const StationaryPoints& stationary, unsigned threads)
+    : points_(&points), stationary_(&stationary), rank_(stationary.size()), ascending_(stationary.size()) {
   const geometry::IeeeDoubles ieee;
-  approximate_.reserve(stationary.size());
-  for (std::size_t record = 0; record < stationary.size(); ++record) {
+  approximate_.resize(stationary.size());
+  constexpr std::size_t kPortion = geometry::portion_size(4096);
+  geometry::in_portions(threads, stationary.size(), kPortion, {}, [&](std::size_t, std::size_t record) {
     const auto approximate = approximation_of(points, stationary.index(record), stationary.contact(record));
-    approximate_.push_back(approximate ? *approximate : rounded(exact(record)));
-  }
-  const auto range_of = [this](std::uint32_t record) {
-    const auto& [value, error] = approximate_[record];
-    return range_around(value, error);
-  };
+    approximate_[record] = approximate ? *approximate : rounded(exact(record));
+  });
   // The samples come first, and their rank is 0.
-  const auto samples = static_cast<std::uint32_t>(stationary.critical_counts()[0]);
-  std::vector<std::uint32_t> order(stationary.size() - samples);
-  std::iota(order.begin(), order.end(), samples);
-  std::ranges::sort(order, {}, [&](std::uint32_t record) { return range_of(record).low; });
+  std::iota(ascending_.begin(), ascending_.end(), std::uint32_t{0});
+  const auto others = std::span(ascending_).subspan(stationary.critical_counts()[0]);
+  sort_by_low_end(approximate_, others, threads);
+  const auto range = [this](std::uint32_t record) { return range_of(approximate_[record]); };
   std::vector<std::pair<Rational, std::uint32_t>> close;
   std::uint32_t rank = 1;
-  for_each_overlap(std::span<const std::uint32_t>(order), range_of, [&](std::size_t first, std::size_t last) {
-    close.clear();
+  for_each_overlap(std::span<const std::uint32_t>(others), range, [&](std::size_t first, std::size_t last) {
     if (last == first + 1) {
-      rank_[order[first]] = rank++;
+      rank_[others[first]] = rank++;
       return;
     }
-    for (std::size_t k = first; k < last; ++k) close.emplace_back(exact(order[k]), order[k]);
+    close.clear();
+    for (std::size_t k = first; k < last; ++k) close.emplace_back(exact(others[k]), others[k]);
     std::ranges::sort(close);
     for (std::size_t k = 0; k < close.size(); ++k) {
       if (k > 0 && close[k].first != close[k - 1].first) ++rank;
+      others[first + k] = close[k].second;
       rank_[close[k].second] = rank;
     }
     ++rank;

@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <set>
 #include <vector>
 
@@ -42,6 +44,13 @@ void expect_right(const FlowComplex& complex, Seen& seen) {
   for (const Rational& value : different) rank_of[value] = place++;
   for (std::size_t record = 0; record < list.size(); ++record) {
     ASSERT_EQ(distances.rank(record), rank_of.at(exact[record])) << "record " << record;
+  }
+  std::vector<std::uint32_t> ascending(list.size());
+  std::iota(ascending.begin(), ascending.end(), 0U);
+  std::ranges::stable_sort(ascending, {}, [&](std::uint32_t record) { return rank_of.at(exact[record]); });
+  for (const unsigned threads : {1U, 2U, 3U}) {
+    const SquaredDistances again(complex.points(), list, threads);
+    EXPECT_TRUE(std::ranges::equal(again.ascending(), ascending));
   }
   seen.records += list.size();
   seen.equal += list.size() - different.size();

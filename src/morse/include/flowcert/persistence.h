@@ -6,7 +6,7 @@
 // (1,2).
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -16,16 +16,18 @@
 namespace flowcert {
 
 struct PersistencePair {
-  int dimension = 0;                 // of the homology class, 0 to 2
-  std::size_t birth = 0;             // critical points, by their places in the list
-  std::optional<std::size_t> death;  // none: the class lasts
+  int dimension = 0;                   // of the homology class, 0 to 2
+  std::uint32_t birth = 0;             // critical points, by their places in the list
+  std::optional<std::uint32_t> death;  // none: the class lasts
 };
 
 class Persistence {
  public:
   // Sorts all critical points by their exact values, and makes a reduction. This is cubic at worst in the number of
-  // index-2 points that no maximum is paired with. Points and list must outlive this.
-  Persistence(const PointSet& points, const StationaryPoints& stationary, const ChainComplex& complex);
+  // index-2 points that no maximum is paired with. Points and list must outlive this. It is the same for any number of
+  // threads, which is at least 1.
+  Persistence(const PointSet& points, const StationaryPoints& stationary, const ChainComplex& complex,
+              unsigned threads = 1);
 
   // Sorted by dimension, then birth. No pair has length zero.
   [[nodiscard]] const std::vector<PersistencePair>& pairs() const { return pairs_; }

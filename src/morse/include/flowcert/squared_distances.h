@@ -18,14 +18,18 @@ namespace flowcert {
 
 class SquaredDistances {
  public:
-  // Both must outlive this. O(n log n), and an exact value for each that the doubles do not tell from another.
-  SquaredDistances(const PointSet& points, const StationaryPoints& stationary);
+  // Both must outlive this. O(n log n), and an exact value for each that the doubles do not tell from another. The
+  // same for any number of threads.
+  SquaredDistances(const PointSet& points, const StationaryPoints& stationary, unsigned threads = 1);
 
   // By place in the list. Computed anew each time.
   [[nodiscard]] Rational exact(std::size_t record) const;
 
   // The number of different values that are less.
   [[nodiscard]] std::uint32_t rank(std::size_t record) const { return rank_[record]; }
+
+  // All stationary points, by value, and then by place in the list.
+  [[nodiscard]] std::span<const std::uint32_t> ascending() const { return ascending_; }
 
   // Whether the value is at least this number.
   [[nodiscard]] bool is_at_least(std::size_t record, const Rational& number) const;
@@ -43,7 +47,7 @@ class SquaredDistances {
   const PointSet* points_;
   const StationaryPoints* stationary_;
   std::vector<Approximation> approximate_;
-  std::vector<std::uint32_t> rank_;
+  std::vector<std::uint32_t> rank_, ascending_;
 };
 
 }  // namespace flowcert
