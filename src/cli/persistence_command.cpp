@@ -73,7 +73,9 @@ std::vector<PersistencePair> longest_pairs(const Persistence& persistence, int d
       longest.push_back(pair);
     }
   }
-  const morse::ValueOrder order = morse::length_order(persistence.squared_distances(), ends);
+  const SquaredDistances& values = persistence.squared_distances();
+  ends = morse::perhaps_longest(values, std::move(ends), kLongestPairs);
+  const morse::ValueOrder order = morse::length_order(values, ends);
   for (std::size_t k = order.size(); k > 0 && longest.size() < kLongestPairs; --k) {
     const auto& [birth, death] = ends[order.at(k - 1)];
     longest.push_back({dimension, static_cast<std::uint32_t>(birth), static_cast<std::uint32_t>(death)});

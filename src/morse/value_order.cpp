@@ -112,19 +112,35 @@ namespace {
 // The first record is a sample.
 constexpr std::size_t kSample = 0;
 
+ValueRange length_range(const SquaredDistances& values, const PairEnds& pair) {
+  const auto [value, error] = values.length(pair.birth, pair.death);
+  return range_around(value, error);
+}
+
 }  // namespace
 
 ValueOrder length_order(const SquaredDistances& values, std::vector<PairEnds> pairs) {
   std::vector<ValueRange> ranges;
   std::vector<std::uint64_t> keys;
-  for (const auto& [birth, death] : pairs) {
-    const auto [value, error] = values.length(birth, death);
-    ranges.push_back(range_around(value, error));
-    keys.push_back(std::uint64_t{values.rank(birth)} << 32 | values.rank(death));
+  for (const PairEnds& pair : pairs) {
+    ranges.push_back(length_range(values, pair));
+    keys.push_back(std::uint64_t{values.rank(pair.birth)} << 32 | values.rank(pair.death));
   }
   return {std::move(ranges), std::move(keys), [&values, ends = std::move(pairs)](std::size_t i) {
             return RootDifference{values.exact(ends[i].death), values.exact(ends[i].birth)};
           }};
+}
+
+// A pair whose length is certainly less than `count` others is none of the longest.
+std::vector<PairEnds> perhaps_longest(const SquaredDistances& values, std::vector<PairEnds> pairs, std::size_t count) {
+  if (count == 0 || pairs.size() <= count) return pairs;
+  std::vector<double> lows;
+  lows.reserve(pairs.size());
+  for (const PairEnds& pair : pairs) lows.push_back(length_range(values, pair).low);
+  const auto last = lows.begin() + static_cast<std::ptrdiff_t>(count - 1);
+  std::ranges::nth_element(lows, last, std::greater());
+  std::erase_if(pairs, [&, least = *last](const PairEnds& pair) { return length_range(values, pair).high < least; });
+  return pairs;
 }
 
 ValueOrder radius_order(const SquaredDistances& values, std::vector<std::size_t> records) {

@@ -71,6 +71,9 @@ struct PairEnds {
 // The lengths of persistence pairs: the distance at the death less that at the birth, not squared. The values must
 // outlive the order.
 [[nodiscard]] ValueOrder length_order(const SquaredDistances& values, std::vector<PairEnds> pairs);
+// At least the `count` longest pairs, and mostly no others, in their order: all that the bounds do not rule out. O(n).
+[[nodiscard]] std::vector<PairEnds> perhaps_longest(const SquaredDistances& values, std::vector<PairEnds> pairs,
+                                                    std::size_t count);
 // The radii of these records, by their places among them. The values must outlive the order.
 [[nodiscard]] ValueOrder radius_order(const SquaredDistances& values, std::vector<std::size_t> records);
 

@@ -11,11 +11,13 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "flowcert/flow_complex.h"
 #include "fuzz/inputs/families.h"
 #include "fuzz/properties/input_points.h"
+#include "morse/value_order.h"
 #include "tests/cites.h"
 #include "tests/unit/portable_random.h"
 
@@ -25,6 +27,26 @@ namespace {
 struct Seen {
   std::size_t records = 0, equal = 0, inexact = 0;
 };
+
+// Any two records make a pair here. The longest ones, by their order among all of them, are never left out.
+void expect_longest(const SquaredDistances& distances, const StationaryPoints& list) {
+  std::vector<morse::PairEnds> pairs;
+  for (std::size_t record = 0; record + 1 < list.size(); ++record) {
+    const std::size_t other = (record * 7 + 3) % list.size();
+    if (distances.rank(record) <= distances.rank(other)) pairs.push_back({record, other});
+  }
+  const auto longest = [&](const std::vector<morse::PairEnds>& ends, std::size_t count) {
+    const morse::ValueOrder order = morse::length_order(distances, ends);
+    std::vector<std::pair<std::size_t, std::size_t>> found;
+    for (std::size_t k = order.size(); k > 0 && found.size() < count; --k) {
+      found.emplace_back(ends[order.at(k - 1)].birth, ends[order.at(k - 1)].death);
+    }
+    return found;
+  };
+  for (const std::size_t count : {0U, 1U, 5U, 1000U}) {
+    EXPECT_EQ(longest(morse::perhaps_longest(distances, pairs, count), count), longest(pairs, count));
+  }
+}
 
 void expect_right(const FlowComplex& complex, Seen& seen) {
   const StationaryPoints& list = complex.stationary();
@@ -52,6 +74,7 @@ void expect_right(const FlowComplex& complex, Seen& seen) {
     const SquaredDistances again(complex.points(), list, threads);
     EXPECT_TRUE(std::ranges::equal(again.ascending(), ascending));
   }
+  expect_longest(distances, list);
   seen.records += list.size();
   seen.equal += list.size() - different.size();
 }
