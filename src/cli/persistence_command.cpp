@@ -191,16 +191,22 @@ void print_json(const Input& input, const Measured& measured, const PersistenceD
   fmt::print("]}}\n");
 }
 
-std::string text_of(const PersistenceOptions& options, const PersistenceDiagram& diagram) {
-  const ProgressLine progress("pairs");
-  return naming(display_name(options.input), [&] {
-    return pers_text(diagram, options.is_plain ? PersistenceValues::kPlain : PersistenceValues::kSquared);
-  });
+// A value beyond the doubles is the input's fault.
+auto naming_input(const PersistenceOptions& options, const auto& write) {
+  return naming(display_name(options.input),
+                [&] { return write(options.is_plain ? PersistenceValues::kPlain : PersistenceValues::kSquared); });
 }
 
-void write_file(const std::string& path, const std::string& text) {
+void print_pairs(const PersistenceOptions& options, const PersistenceDiagram& diagram) {
+  const ProgressLine progress("writing pairs", STDOUT_FILENO);
+  fmt::print("{}", naming_input(options, [&](PersistenceValues values) { return pers_text(diagram, values); }));
+}
+
+void write_file(const PersistenceOptions& options, const PersistenceDiagram& diagram) {
   const ProgressLine progress("writing pairs");
-  io::write_whole_file(path, [&](std::ostream& out) { out << text; });
+  io::write_whole_file(options.output, [&](std::ostream& out) {
+    naming_input(options, [&](PersistenceValues values) { write_pers(out, diagram, values); });
+  });
 }
 
 void print_persistence(const PersistenceOptions& options) {
@@ -216,8 +222,8 @@ void print_persistence(const PersistenceOptions& options) {
   tell_of_many_cells(complex);
   const auto diagram = with_progress("pairs", [&] { return PersistenceDiagram(complex, options.with_zero); });
   const bool is_streamed = options.output == kStandardStream;
-  if (is_streamed) fmt::print("{}", text_of(options, diagram));
-  if (!is_streamed && !options.output.empty()) write_file(options.output, text_of(options, diagram));
+  if (is_streamed) print_pairs(options, diagram);
+  if (!is_streamed && !options.output.empty()) write_file(options, diagram);
   write_certificate_file(options.certificate, complex);
   if (options.json) {
     print_json(input, measured, diagram, options.seed);

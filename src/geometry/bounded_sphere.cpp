@@ -151,4 +151,12 @@ RoundedSphere rounded_sphere(const PointSet& points, std::span<const PointId> co
   return rounded_sphere(exact_sphere(points, contact));
 }
 
+double rounded_squared_radius(const PointSet& points, std::span<const PointId> contact, std::size_t hull_dimension) {
+  if (hull_dimension == 0) return 0;
+  const geometry::IeeeDoubles ieee;
+  const auto sphere = geometry::bounded_sphere(points, contact, hull_dimension);
+  if (const auto nearest = geometry::decided_double(sphere.squared_radius)) return *nearest;
+  return nearest_or_infinity(exact_squared_radius(points, contact));
+}
+
 }  // namespace flowcert

@@ -7,13 +7,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <numeric>
 #include <span>
+#include <sstream>
 #include <tuple>
+#include <utility>
 
 #include "flowcert/reproducibility.h"
 #include "geometry/difference_of_roots.h"
 #include "geometry/floating_point.h"
+#include "geometry/portions.h"
 #include "io/ordered_text.h"
 
 namespace flowcert {
@@ -27,8 +31,7 @@ std::size_t critical_count(const StationaryPoints& stationary) {
 
 // Sorting is quick if what it compares lies together.
 struct RankedPair {
-  int dimension = 0;
-  std::uint32_t birth = 0, death = 0;  // ranks of the values
+  std::uint64_t ranks = 0;  // of the values of birth and death
   PersistencePair pair;
 };
 
@@ -37,21 +40,33 @@ void sort_pairs(const SquaredDistances& values, std::vector<PersistencePair>& pa
   std::vector<RankedPair> ranked;
   ranked.reserve(pairs.size());
   for (const PersistencePair& pair : pairs) {
-    ranked.push_back({pair.dimension, values.rank(pair.birth), pair.death ? values.rank(*pair.death) : kLast, pair});
+    const std::uint32_t death = pair.death ? values.rank(*pair.death) : kLast;
+    ranked.push_back({std::uint64_t{values.rank(pair.birth)} << 32 | death, pair});
   }
-  std::ranges::sort(ranked, {}, [](const RankedPair& one) {
-    return std::tuple(one.dimension, one.birth, one.death, one.pair.birth);
-  });
+  std::ranges::sort(ranked, {},
+                    [](const RankedPair& one) { return std::tuple(one.pair.dimension, one.ranks, one.pair.birth); });
   std::ranges::transform(ranked, pairs.begin(), &RankedPair::pair);
 }
 
-std::string double_text(double value) {
-  if (!std::isfinite(value)) {
+// By record: neighbours in the list have points in common.
+std::vector<double> rounded_values(const PersistenceDiagram& diagram, PersistenceValues values) {
+  const StationaryPoints& stationary = diagram.complex().stationary();
+  std::vector<double> rounded(diagram.has_zero() ? stationary.size() : critical_count(stationary));
+  constexpr std::size_t kPortion = geometry::portion_size(512);
+  geometry::in_portions(diagram.complex().threads(), rounded.size(), kPortion, {}, [&](std::size_t, std::size_t k) {
+    rounded[k] = values == PersistenceValues::kSquared ? diagram.rounded_squared_value(k) : diagram.rounded_value(k);
+  });
+  return rounded;
+}
+
+void require_doubles(const PersistenceDiagram& diagram, const std::vector<double>& rounded) {
+  const auto is_beyond = [&](std::uint32_t record) { return !std::isfinite(rounded[record]); };
+  for (const PersistencePair& pair : diagram.pairs()) {
+    if (!is_beyond(pair.birth) && !(pair.death && is_beyond(*pair.death))) continue;
     throw InvalidInput(
         "a squared distance is beyond the largest double, which a .pers file cannot say; --json has it "
         "exactly");
   }
-  return fmt::format("{}", value);
 }
 
 }  // namespace
@@ -78,35 +93,38 @@ double PersistenceDiagram::rounded_value(std::size_t record) const {
   return geometry::nearest_difference_of_roots(squared_value(record), 0);
 }
 
-std::string pers_text(const PersistenceDiagram& diagram, PersistenceValues values) {
+void write_pers(std::ostream& out, const PersistenceDiagram& diagram, PersistenceValues values) {
   const geometry::IeeeDoubles ieee;
+  const std::vector<double> rounded = rounded_values(diagram, values);
+  require_doubles(diagram, rounded);
   const Reproducibility made_by = reproducibility();
   const bool is_squared = values == PersistenceValues::kSquared;
-  std::string text = fmt::format(
+  out << fmt::format(
       "# Persistence of the distance function: dimension, birth, death. The values are {}.\n"
       "# flowcert {} (commit {}; kernel: {}; compiler: {}; CGAL {}), input_sha256 {}\n",
       is_squared ? "squared distances" : "distances", made_by.version, made_by.commit, made_by.kernel, made_by.compiler,
       made_by.cgal, coordinates_sha256(diagram.complex().points()));
   if (const auto& left_out = diagram.complex().points().left_out(); !left_out.empty()) {
-    text += fmt::format("# Rows of the file that were left out: {}\n", fmt::join(left_out, " "));
+    out << fmt::format("# Rows of the file that were left out: {}\n", fmt::join(left_out, " "));
   }
-  text += diagram.has_zero() ? "# With regular stationary points, as pairs of length zero.\n"
-                             : "# Without pairs of length zero.\n";
-  if (!is_squared) text += fmt::format("{}\n", kPlainValuesMark);
-  const auto value = [&](std::size_t record) {
-    return double_text(is_squared ? diagram.rounded_squared_value(record) : diagram.rounded_value(record));
-  };
+  out << (diagram.has_zero() ? "# With regular stationary points, as pairs of length zero.\n"
+                             : "# Without pairs of length zero.\n");
+  if (!is_squared) out << kPlainValuesMark << '\n';
   const auto make = [&](std::size_t first, std::size_t last, std::string& lines) {
+    const auto end = std::back_inserter(lines);
     for (const PersistencePair& pair : std::span(diagram.pairs()).subspan(first, last - first)) {
-      lines += fmt::format("{} {} {}\n", pair.dimension, value(pair.birth), pair.death ? value(*pair.death) : "inf");
+      fmt::format_to(end, "{} {} ", pair.dimension, rounded[pair.birth]);
+      pair.death ? fmt::format_to(end, "{}\n", rounded[*pair.death]) : fmt::format_to(end, "inf\n");
     }
   };
-  const auto write = [&text](const std::string& lines, std::size_t) {
-    text += lines;
-    return true;
-  };
+  const auto write = [&out](const std::string& lines, std::size_t) { return !(out << lines).fail(); };
   io::write_in_order(diagram.pairs().size(), io::kShortRecords, diagram.complex().threads(), make, write);
-  return text;
+}
+
+std::string pers_text(const PersistenceDiagram& diagram, PersistenceValues values) {
+  std::ostringstream text;
+  write_pers(text, diagram, values);
+  return std::move(text).str();
 }
 
 }  // namespace flowcert

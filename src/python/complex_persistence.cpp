@@ -6,7 +6,6 @@
 
 #include "complex.h"
 #include "flowcert/write_persistence.h"
-#include "geometry/bounded_sphere.h"
 #include "geometry/difference_of_roots.h"
 #include "geometry/parallel_for.h"
 #include "released_lock.h"
@@ -21,17 +20,6 @@ namespace {
 constexpr std::size_t kRecords = 512;
 constexpr double kLasts = HUGE_VAL;
 
-// Infinite where it is beyond the doubles. The centre need not be rounded, which takes less time than
-// FlowComplex::rounded_sphere().
-double squared_distance_at(const PointSet& points, const StationaryPoints& stationary, std::size_t record) {
-  const std::size_t dimension = stationary.index(record).hull_dimension;
-  if (dimension == 0) return 0;
-  const auto contact = stationary.contact(record);
-  const auto bounded = geometry::bounded_sphere(points, contact, dimension);
-  if (const auto nearest = geometry::decided_double(bounded.squared_radius)) return *nearest;
-  return nearest_or_infinity(exact_squared_radius(points, contact));
-}
-
 std::vector<double> squared_distances_of(const FlowComplex& complex, unsigned threads) {
   const PointSet& points = complex.points();
   const StationaryPoints& stationary = complex.stationary();
@@ -40,7 +28,8 @@ std::vector<double> squared_distances_of(const FlowComplex& complex, unsigned th
     stop_if_interrupted();
     const std::size_t last = std::min((part + 1) * kRecords, distances.size());
     for (std::size_t record = part * kRecords; record < last; ++record) {
-      distances[record] = squared_distance_at(points, stationary, record);
+      distances[record] =
+          rounded_squared_radius(points, stationary.contact(record), stationary.index(record).hull_dimension);
     }
   });
   return distances;

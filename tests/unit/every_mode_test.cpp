@@ -226,6 +226,7 @@ void add_geometry(Calls& calls, const Made& m) {
   calls.add("rounded_point", [&] { return rounded_point(m.start); });
   calls.add("rounded_sphere", [&] { return rounded_sphere(m.points, m.contact(), 1); });
   calls.add("rounded_sphere", [&] { return rounded_sphere(m.complex.sphere(m.upper)); });
+  calls.add("rounded_squared_radius", [&] { return rounded_squared_radius(m.points, m.contact(), 1); });
 }
 
 void add_voronoi_and_flow(Calls& calls, const Made& m) {
@@ -543,6 +544,11 @@ void add_writers(Calls& calls, const Made& m, const std::string& folder) {
   calls.add("PersistenceDiagram::rounded_squared_value",
             [&, diagram] { return diagram.rounded_squared_value(m.upper); });
   calls.add("PersistenceDiagram::rounded_value", [&, diagram] { return diagram.rounded_value(m.upper); });
+  calls.add("write_pers", [diagram] {
+    std::ostringstream out;
+    write_pers(out, diagram);
+    return out.str();
+  });
   calls.add("pers_text", [diagram] { return pers_text(diagram) + pers_text(diagram, PersistenceValues::kPlain); });
 }
 

@@ -30,6 +30,9 @@ struct RoundedSphere {
 // rounded_sphere(exact_sphere(points, contact)). hull_dimension: that of the contact set's affine hull.
 [[nodiscard]] RoundedSphere rounded_sphere(const PointSet& points, std::span<const PointId> contact,
                                            std::size_t hull_dimension);
+// Its squared radius alone, which takes less time.
+[[nodiscard]] double rounded_squared_radius(const PointSet& points, std::span<const PointId> contact,
+                                            std::size_t hull_dimension);
 [[nodiscard]] Point rounded_point(const RationalPoint& x);
 
 }  // namespace flowcert

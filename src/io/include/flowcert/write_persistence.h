@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,9 @@ class PersistenceDiagram {
 
   // The double nearest to it, or infinity where that would overflow.
   [[nodiscard]] double rounded_squared_value(std::size_t record) const {
-    return complex_.rounded_sphere(record).squared_radius;
+    const StationaryPoints& stationary = complex_.stationary();
+    return rounded_squared_radius(complex_.points(), stationary.contact(record),
+                                  stationary.index(record).hull_dimension);
   }
   // The double nearest to its root.
   [[nodiscard]] double rounded_value(std::size_t record) const;
@@ -50,7 +53,9 @@ enum class PersistenceValues : std::uint8_t { kSquared, kPlain };
 inline constexpr char kPlainValuesMark[] = "# flowcert: plain values, not squared";
 
 // A comment, then lines "dimension birth death". Values are rounded to the nearest doubles. The death of a class that
-// lasts is `inf`. Throws InvalidInput if a value is beyond the doubles.
+// lasts is `inf`. Throws InvalidInput if a value is beyond the doubles, before anything is written.
+void write_pers(std::ostream& out, const PersistenceDiagram& diagram,
+                PersistenceValues values = PersistenceValues::kSquared);
 [[nodiscard]] std::string pers_text(const PersistenceDiagram& diagram,
                                     PersistenceValues values = PersistenceValues::kSquared);
 
