@@ -1,11 +1,12 @@
 """./dev rivals: what public programs say of critical points and persistence, judged by flowcert.
 
-    rivals.py FLOWCERT FOLDER [--seconds 30] [--jobs 2] [--seed 1] [--only NAME]
+    rivals.py FLOWCERT FOLDER [--seconds 30] [--jobs 2] [--seed 1] [--only NAME] [--record FILE]
     rivals.py --self-test
 
 Each program answers the conformance vectors through the pipe, and then a campaign of `flowcert fuzz --against`. Its
 persistence pairs are judged by `flowcert conformance`. Standard output is Markdown: one table by flag, and for each
 kind of failure the smallest input, which is also a file in FOLDER/smallest/.
+--record writes what each program made of each vector, as JSON, for versions.py.
 FLOWCERT_RECORDED may name a folder with answers NAME.fc to NAME.xyz that a Giesen-Kühne program has written.
 
 A program is right if flowcert says so: it conforms, also where only that is determined, or is perturbed. An answer is
@@ -33,7 +34,7 @@ import answering
 
 HERE = Path(__file__).resolve().parent
 PYTHON = "/usr/bin/python3"  # Debian's, which has Debian's modules
-PACKAGES = ["python3-gudhi", "gudhi-utils", "libcgal-dev", "python3-scipy", "libgmp10"]
+PACKAGES = ["python3-gudhi", "gudhi-utils", "libcgal-dev", "python3-scipy", "tetgen", "libgmp10"]
 # What is wrong for no other reason than that a critical point is no simplex, or that a stationary point is none.
 TIES = {"missed-by-cluster", "contact-incomplete", "collision-as-critical", "claimed-twice", "wrong-counts"}
 VECTOR_LIMIT = 600  # seconds
@@ -390,19 +391,19 @@ def print_smallest(name, found):
     print()
 
 
+def diagram_outcome(case):
+    kinds = {finding["reason"] for finding in case["persistence_findings"]}
+    return "right" if not case["negative"] else "rounding" if kinds == {"rounding"} else case["outcome"]
+
+
 def print_diagrams(reports):
     rows = []
     for program, report in reports:
-        count = Counter()
-        wrong = []
-        for case in report["cases"]:
-            kinds = {finding["reason"] for finding in case["persistence_findings"]}
-            outcome = "right" if not case["negative"] else "rounding" if kinds == {"rounding"} else case["outcome"]
-            count[outcome] += 1
-            if outcome != "right":
-                wrong.append(case["id"].removeprefix("persistence-"))
+        outcomes = {case["id"]: diagram_outcome(case) for case in report["cases"]}
+        count = Counter(outcomes.values())
+        wrong = [name.removeprefix("persistence-") for name, outcome in outcomes.items() if outcome != "right"]
         others = sum(n for outcome, n in count.items() if outcome not in ("right", "fails", "rounding"))
-        rows.append([program.name, program.tolerance, len(report["cases"]), count["right"], count["rounding"],
+        rows.append([program.name, program.tolerance, len(outcomes), count["right"], count["rounding"],
                      count["fails"], others, " ".join(wrong[:6]) + (" ..." if len(wrong) > 6 else "")])
     print_table(["program", "tolerance", "cases", "right", "rounding", "fails", "no answer", "which"], rows)
 
@@ -496,12 +497,25 @@ def in_turn(jobs, work, programs_asked, what):
         return list(pool.map(one, programs_asked))
 
 
+def add_to_record(path, group, outcomes):
+    """outcomes: by program and input. The record has them by group, and says what it is of."""
+    if path is None:
+        return
+    record = json.loads(Path(path).read_text()) if Path(path).exists() else {}
+    record["system"] = platform.freedesktop_os_release()["PRETTY_NAME"]
+    record["packages"] = dict(line.split() for line in versions() if len(line.split()) == 2)
+    record.setdefault("groups", {})[group] = outcomes
+    Path(path).write_text(json.dumps(record, indent=1) + "\n")
+
+
 def report(options):
     rivals = Rivals(options)
     for part in ("campaigns", "smallest", "kept"):
         subprocess.run(["rm", "-rf", rivals.folder / part], check=True)
     asked = [p for p in programs(compiled(rivals.folder)) if options.only in (None, p.name)]
     verdicts = dict(zip([p.name for p in asked], in_turn(options.jobs, rivals.ask_vectors, asked, "vectors")))
+    add_to_record(options.record, "critical points", {name: {vector: outcome for vector, (outcome, _) in of.items()}
+                                                      for name, of in verdicts.items()})
     campaigns = dict(zip(verdicts, in_turn(options.jobs, rivals.campaign, asked, "campaign")))
     print(f"Of {datetime.date.today()}, with {platform.freedesktop_os_release()['PRETTY_NAME']}:\n")
     print("".join(f"- {line}\n" for line in versions()))
@@ -515,7 +529,11 @@ def report(options):
     if options.only is None:
         print("### Persistence\n")
         names = diagrams()
-        print_diagrams(list(zip(names, in_turn(options.jobs, rivals.ask_diagrams, names, "persistence"))))
+        reports = in_turn(options.jobs, rivals.ask_diagrams, names, "persistence")
+        add_to_record(options.record, "persistence", {
+            program.name: {case["id"]: diagram_outcome(case) for case in report["cases"]}
+            for program, report in zip(names, reports)})
+        print_diagrams(list(zip(names, reports)))
         print("### Recorded answers of a Giesen-Kühne program\n")
         print_recorded(rivals, os.environ.get("FLOWCERT_RECORDED"))
         print("### Known defects\n")
@@ -560,6 +578,7 @@ def options_of(documentation):
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", metavar="NAME", help="this program alone, and no persistence")
+    parser.add_argument("--record", metavar="FILE", help="write what came of each input into this file, too")
     parser.add_argument("--self-test", action="store_true")
     options = parser.parse_args()
     if not options.self_test and options.folder is None:

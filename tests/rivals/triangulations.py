@@ -1,6 +1,6 @@
-"""The triangulations of GUDHI, CGAL and SciPy, each proved or refuted by spec/proof.py from a plain list of its cells.
+"""The triangulations of GUDHI, CGAL, SciPy and TetGen: spec/proof.py proves or refutes each, from a list of its cells.
 
-    triangulations.py FLOWCERT FOLDER [--jobs 2] [--seed 1] [--only NAME]
+    triangulations.py FLOWCERT FOLDER [--jobs 2] [--seed 1] [--only NAME] [--record FILE]
     triangulations.py --self-test
 
 The inputs are the conformance vectors, 50 drawn ones of each family, and larger ones that are made here. Of Flowcert
@@ -39,7 +39,8 @@ def programs(cgal):
     return [*(Program(f"gudhi {kind}", [PYTHON, gudhi, f"{kind}-cells"]) for kind in ("fast", "safe", "exact")),
             *(Program(f"cgal {kind}", [cgal, f"cells-{kind}"]) for kind in ("epick", "epeck")),
             Program("scipy", [PYTHON, scipy, "plain-cells"]),
-            Program("scipy joggled", [PYTHON, scipy, "joggled-cells"])]
+            Program("scipy joggled", [PYTHON, scipy, "joggled-cells"]),
+            Program("tetgen", [PYTHON, str(HERE / "tetgen_delaunay.py"), "cells"])]
 
 
 # ---- Inputs ----
@@ -291,6 +292,8 @@ def report(options):
         for name, what in zip(larger, larger_inputs())])
     everything = {name: {where: v for group in groups for where, v in group.items()}
                   for name, groups in results.items()}
+    rivals.add_to_record(options.record, "triangulations", {
+        name: {where: v.outcome for where, v in of.items()} for name, of in everything.items()})
     for name, of in everything.items():
         print_smallest(name, of, folder / "smallest")
     doubtful = [f"{name}, {where}: {v.reason}" for name, of in everything.items() for where, v in of.items()
