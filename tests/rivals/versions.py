@@ -72,7 +72,7 @@ def print_changes(group, records):
 
 def report(records):
     print_packages(records)
-    for group in dict.fromkeys(group for record in records for group in record["groups"]):
+    for group in dict.fromkeys(group for record in records for group, of in record["groups"].items() if of):
         print(f"### {group[0].upper()}{group[1:]}\n")
         print_counts(group, records)
         print_changes(group, records)
