@@ -216,7 +216,7 @@ class Triangulation:
             if side * self.volume(self.vectors(self.at[opposite], w)) < 0:
                 self.reject("T6", f"cell {c}", f"point {opposite} of the hull is outside of its facet {list(w)}")
 
-        ray = weighed_sum([n] * n, [seen[p] for p in hull[0][1]])
+        ray = weighed_sum((1,) * n, [seen[p] for p in hull[0][1]])
         for c, w, side in hull[1:]:
             v = [seen[p] for p in w]
             if all(side * self.volume(v[:i] + [ray] + v[i + 1:]) >= 0 for i in range(len(w))):
@@ -377,8 +377,8 @@ class StationaryPoints:
 
     def find_clusters(self):
         """on_sphere[c]: all points on the sphere of cell c. on_circle: in clusters of several cells, see circle."""
-        for c in range(len(self.cells)):
-            cluster, self.on_sphere[c] = ([], self.on_sphere[c]) if self.on_sphere[c] else ([c], ())
+        for c in (c for c in range(len(self.cells)) if not self.on_sphere[c]):
+            cluster, self.on_sphere[c] = [c], ()
             for k in cluster:  # it grows meanwhile
                 for is_same, mate in zip(self.t.cospherical[k], self.mates[k]):
                     if is_same and self.on_sphere[mate[0]] is None:

@@ -100,6 +100,7 @@ EQUIVALENT = {
     "Triangulation.check_hull: 0 -> 1 in side < 0": "A side is 1 or -1.",
     "Triangulation.check_hull: len(sides) != 2 or sides[0][0] == sides[1][0] -> len(sides) != 2":
         "T4 follows from T2, T5 and T7 (FC-CERT-02).",
+    "Triangulation.check_hull: 1 -> 2 in (1,)": "Only the direction of the ray counts.",
     "read_cells: volume > 0 -> volume >= 0": "A cell without volume is rejected before.",
     "encode: 0 -> 1 in face_of(cell, 0, i)": "Its orientation is not asked for.",
     "encode.apex_behind: apex > opposite -> apex >= opposite": "They are different.",
