@@ -394,7 +394,7 @@ class ProofTest(unittest.TestCase):
                      " 0 1 2\n", "0 1 2 \n", "0,1,2\n", "0 1 2.0\n", "0 1 99999999999\n", "0 1 \u0662\n", "0 1 2\r"):
             scan = self.file("p.xyz", text_of(SQUARE))
             self.expect(self.run_proof(scan, "--cells", self.file("c.txt", text.encode())), 2,
-                        f"c.txt:{2 if text.startswith('0 1 2' + chr(10)) else 1}: ")
+                        f"c.txt:{len(text.splitlines())}: ")  # the last line is wrong
         self.expect(self.run_proof(scan, "--cells", self.file("c.txt", b"0 1\t2\r\n03 1  2")), 0)
 
     def test_points_in_text_and_raw(self):
@@ -549,41 +549,31 @@ class ProofTest(unittest.TestCase):
         lines[-1]["center_double"] = [-5e-324, 0.0, 0.0]
         self.expect(self.of_certificate(points, data, self.file("l", written(lines))), 1, "center_double")
 
-    def test_a_half_ball_is_regular_by_any_diagonal(self):
-        points, kinds = [(3, 0, 0), (-3, 0, 0), (0, 3, 0), (0, -3, 0), (1, 2, 2), (-2, -1, 2), (0, 0, 3)], set()
-        text = written(list_of(points))
-        self.assertIn(b'"index":[2,3],"kind":"regular","contact":[0,1,2,3,4,5,6]', text)
+    def expect_by_many(self, points, record):
+        """The list, which has this record, is proved by several triangulations. They are returned."""
+        text, found = written(list_of(points)), []
+        self.assertIn(record, text)
         for seed in range(8):
-            cells = delaunay(points, random.Random(seed))[1]
-            kinds.add(any({0, 1} <= set(cell) for cell in cells))
+            found.append(delaunay(points, random.Random(seed))[1])
             out = str(self.folder / "out.fcert")
-            self.expect(self.of_cells(points, cells, "--from-cells", out), 0)
+            self.expect(self.of_cells(points, found[-1], "--from-cells", out), 0)
             self.expect(self.of_certificate(points, Path(out).read_bytes(), self.file("l", text)), 0)
-        self.assertEqual(kinds, {False, True})
+        return found
+
+    def test_a_half_ball_is_regular_by_any_diagonal(self):
+        points = [(3, 0, 0), (-3, 0, 0), (0, 3, 0), (0, -3, 0), (1, 2, 2), (-2, -1, 2), (0, 0, 3)]
+        found = self.expect_by_many(points, b'"index":[2,3],"kind":"regular","contact":[0,1,2,3,4,5,6]')
+        self.assertEqual({any({0, 1} <= set(cell) for cell in cells) for cells in found}, {False, True})
 
     def test_a_ball_has_index_3_by_its_middle_triangle_or_its_axis(self):
-        points, kinds = [(5, 0, 0), (-3, 4, 0), (-3, -4, 0), (0, 0, 5), (0, 0, -5)], set()
-        text = written(list_of(points))
-        self.assertIn(b'"index":3,"kind":"critical","contact":[0,1,2,3,4]', text)
-        for seed in range(8):
-            cells = delaunay(points, random.Random(seed))[1]
-            kinds.add(len(cells))
-            out = str(self.folder / "out.fcert")
-            self.expect(self.of_cells(points, cells, "--from-cells", out), 0)
-            self.expect(self.of_certificate(points, Path(out).read_bytes(), self.file("l", text)), 0)
-        self.assertEqual(kinds, {2, 3})
+        points = [(5, 0, 0), (-3, 4, 0), (-3, -4, 0), (0, 0, 5), (0, 0, -5)]
+        found = self.expect_by_many(points, b'"index":3,"kind":"critical","contact":[0,1,2,3,4]')
+        self.assertEqual(set(map(len, found)), {2, 3})
 
     def test_a_circle_of_two_cells_whose_centre_is_in_a_triangle(self):
-        points, diagonals = [(5, 0, 0), (-3, 4, 0), (-4, -3, 0), (0, -5, 0), (0, 0, 7)], set()
-        text = written(list_of(points))
-        self.assertIn(b'"index":2,"kind":"critical","contact":[0,1,2,3]', text)
-        for seed in range(8):
-            cells = delaunay(points, random.Random(seed))[1]
-            diagonals.add(any({0, 2} <= set(cell) for cell in cells))
-            out = str(self.folder / "out.fcert")
-            self.expect(self.of_cells(points, cells, "--from-cells", out), 0)
-            self.expect(self.of_certificate(points, Path(out).read_bytes(), self.file("l", text)), 0)
-        self.assertIn(True, diagonals)
+        points = [(5, 0, 0), (-3, 4, 0), (-4, -3, 0), (0, -5, 0), (0, 0, 7)]
+        found = self.expect_by_many(points, b'"index":2,"kind":"critical","contact":[0,1,2,3]')
+        self.assertIn(True, {any({0, 2} <= set(cell) for cell in cells) for cells in found})
 
     def test_a_double_beyond_all_is_null(self):
         points = [(0, 0, 0), (2**600, 0, 0), (0, 2**601, 0)]

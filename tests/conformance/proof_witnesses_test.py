@@ -32,9 +32,9 @@ def fault_of(program, case):
     """What is wrong with the program's answer to a case, or None."""
     arguments, statuses, words = case
     try:
-        with open("/dev/full" if FULL in words else "/dev/null", "wb") as nowhere:
-            out = nowhere if FULL in words else subprocess.PIPE
-            result = subprocess.run([program, *arguments], stdout=out, stderr=subprocess.PIPE, timeout=20)
+        with open("/dev/full", "wb") as full:
+            result = subprocess.run([program, *arguments], stdout=full if FULL in words else subprocess.PIPE,
+                                    stderr=subprocess.PIPE, timeout=20)
     except subprocess.TimeoutExpired:
         return "no answer"
     told = ((result.stdout or b"") + result.stderr).decode(errors="backslashreplace")
