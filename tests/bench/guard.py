@@ -82,7 +82,7 @@ def counted(words, folder):
 
 
 def main(flowcert, accept):
-    table = json.loads(TABLE.read_text()) if TABLE.exists() else {}
+    table = json.loads(TABLE.read_text())
     figures, grown = {}, []
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
