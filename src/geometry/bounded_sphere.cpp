@@ -111,12 +111,72 @@ BoundedSphere bounded_sphere(std::span<const Point* const> points) {
   }
 }
 
-BoundedSphere bounded_sphere(const PointSet& points, std::span<const PointId> contact, std::size_t hull_dimension) {
+// ---- The squared radius alone ----
+
+namespace {
+
+// |a|^2 |b|^2 |b-a|^2 / (4 |n|^2) with n = a x b. Vectors are exact, so a square has an error of at most 4 u of itself,
+// and the numerator one of 15 u. If the denominator is D' instead of D, the quotient changes by |D'-D|/|D| of itself.
+// D' is at most 3 D, and so what is rounded before the division is at most three times as much behind it.
+BoundedNumber squared_radius_of_circle(const Point& p, const Point& q, const Point& r) {
+  const DoubledVector a = vector_from(p, q), b = vector_from(p, r), n = cross(a, b);
+  const DoubleDouble aa = dot(a, a), bb = dot(b, b);
+  const double na = std::sqrt(aa.high()), nb = std::sqrt(bb.high());
+  if (!is_in_range(std::min(na, nb)) || !is_in_range(std::max(na, nb))) return {};
+  const DoubledVector c = vector_from(q, r);
+  const DoubleDouble denominator = DoubleDouble(4) * dot(n, n);
+  const double denominator_error = 72 * kU * aa.high() * bb.high() * kRounding;
+  const double least = denominator.high() * (1 - 0x1p-40) - denominator_error;
+  if (!(least > denominator_error)) return {};
+  const DoubleDouble value = aa * bb * dot(c, c) / denominator;
+  return {value, value.high() * (48 * kU + denominator_error / least) * kRounding};
+}
+
+// |N|^2 / (2 D)^2. A relative error e of N or D makes one of 2 e in the square, and of less than 2.001 e for the errors
+// that are let through. Two squares and a division add 9 u.
+BoundedNumber squared_radius_of_tetrahedron(const std::array<const Point*, 4>& p) {
+  const DoubledVector a = vector_from(*p[0], *p[1]), b = vector_from(*p[0], *p[2]), c = vector_from(*p[0], *p[3]);
+  const double na = length(a), nb = length(b), nc = length(c), product = na * nb * nc;
+  if (!is_in_range(std::min({na, nb, nc})) || !is_in_range(std::max({na, nb, nc}))) return {};
+  const Circumsphere<DoubleDouble> sphere = circumsphere(a, b, c);
+  const DoubleDouble square = dot(sphere.numerator, sphere.numerator), twice = DoubleDouble(2) * sphere.determinant;
+  const double size = std::sqrt(square.high());
+  const double error = 16 * kU * product * (na + nb + nc) / size + 24 * kU * product / std::fabs(twice.high());
+  if (!(error < 0x1p-20)) return {};
+  const DoubleDouble value = square / (twice * twice);
+  return {value, value.high() * (2.001 * error + 16 * kU) * kRounding};
+}
+
+// The points of the contact set that determine its sphere, as many as there are; nothing where it has too few.
+template <typename Result>
+Result of_contact(const PointSet& points, std::span<const PointId> contact, std::size_t hull_dimension,
+                  Result (*use)(std::span<const Point* const>)) {
   std::array<const Point*, 4> given{};
   const std::size_t count = std::min(hull_dimension + 1, given.size());
   if (contact.size() < count) return {};
   for (std::size_t k = 0; k < count; ++k) given[k] = &points.at_row(contact[k]);
-  return bounded_sphere(std::span(given).first(count));
+  return use(std::span(given).first(count));
+}
+
+}  // namespace
+
+BoundedNumber bounded_squared_radius(std::span<const Point* const> points) {
+  switch (points.size()) {
+    case 3:
+      return squared_radius_of_circle(*points[0], *points[1], *points[2]);
+    case 4:
+      return squared_radius_of_tetrahedron({points[0], points[1], points[2], points[3]});
+    default:
+      return bounded_sphere(points).squared_radius;
+  }
+}
+
+BoundedSphere bounded_sphere(const PointSet& points, std::span<const PointId> contact, std::size_t hull_dimension) {
+  return of_contact<BoundedSphere>(points, contact, hull_dimension, &bounded_sphere);
+}
+BoundedNumber bounded_squared_radius(const PointSet& points, std::span<const PointId> contact,
+                                     std::size_t hull_dimension) {
+  return of_contact<BoundedNumber>(points, contact, hull_dimension, &bounded_squared_radius);
 }
 
 std::optional<RoundedSphere> decided_sphere(const BoundedSphere& sphere) {
@@ -154,8 +214,8 @@ RoundedSphere rounded_sphere(const PointSet& points, std::span<const PointId> co
 double rounded_squared_radius(const PointSet& points, std::span<const PointId> contact, std::size_t hull_dimension) {
   if (hull_dimension == 0) return 0;
   const geometry::IeeeDoubles ieee;
-  const auto sphere = geometry::bounded_sphere(points, contact, hull_dimension);
-  if (const auto nearest = geometry::decided_double(sphere.squared_radius)) return *nearest;
+  const auto square = geometry::bounded_squared_radius(points, contact, hull_dimension);
+  if (const auto nearest = geometry::decided_double(square)) return *nearest;
   return nearest_or_infinity(exact_squared_radius(points, contact));
 }
 

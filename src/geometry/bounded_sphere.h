@@ -24,6 +24,11 @@ struct BoundedSphere {
 [[nodiscard]] BoundedSphere bounded_sphere(const PointSet& points, std::span<const PointId> contact,
                                            std::size_t hull_dimension);
 
+// Its squared radius alone, which takes less time. The bounds are others.
+[[nodiscard]] BoundedNumber bounded_squared_radius(std::span<const Point* const> points);
+[[nodiscard]] BoundedNumber bounded_squared_radius(const PointSet& points, std::span<const PointId> contact,
+                                                   std::size_t hull_dimension);
+
 // Nothing if the bounds leave one of the doubles open.
 [[nodiscard]] std::optional<RoundedSphere> decided_sphere(const BoundedSphere& sphere);
 

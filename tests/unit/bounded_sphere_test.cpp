@@ -137,8 +137,18 @@ Rational derived_error(const std::vector<Point>& points, const ExactSphere& sphe
   return Rational(DoubleDouble::kRoundoff * na * nb * nc * (13.8 * (na + nb + nc) + 19.6 * radius) / (2 * volume));
 }
 
+// The same of the squared radius alone. A circle's numerator has none.
+double derived_square_error(const std::vector<Point>& points, const ExactSphere& sphere) {
+  const auto square = static_cast<double>(sphere.squared_radius);
+  if (points.size() == 4) return 2 * static_cast<double>(derived_error(points, sphere)) * std::sqrt(square);
+  const RationalVector a = exact_vector(points[1]) - exact_vector(points[0]),
+                       b = exact_vector(points[2]) - exact_vector(points[0]);
+  return DoubleDouble::kRoundoff * 29 * square * static_cast<double>(squared(a) * squared(b)) /
+         (2 * static_cast<double>(squared(cross(a, b))));
+}
+
 struct Counts {
-  std::size_t spheres = 0, decided = 0;
+  std::size_t spheres = 0, decided = 0, decided_squares = 0;
 };
 
 void check_sphere(const std::vector<Point>& points, Counts& counts) {
@@ -150,6 +160,8 @@ void check_sphere(const std::vector<Point>& points, Counts& counts) {
   const BoundedSphere sphere = bounded_sphere(given);
   for (std::size_t axis = 0; axis < 3; ++axis) expect_within(sphere.center[axis], exact->center[axis]);
   expect_within(sphere.squared_radius, exact->squared_radius);
+  const BoundedNumber alone = bounded_squared_radius(given);
+  expect_within(alone, exact->squared_radius);
   if (points.size() >= 3 && std::isfinite(sphere.center[0].error)) {
     const Rational derived = derived_error(points, *exact);
     for (const BoundedNumber& number : sphere.center) {
@@ -159,8 +171,15 @@ void check_sphere(const std::vector<Point>& points, Counts& counts) {
         squared(exact_vector(points[0]) - RationalVector{exact->center[0], exact->center[1], exact->center[2]});
     EXPECT_GE(sphere.squared_radius.error, 2 * static_cast<double>(derived) * std::sqrt(static_cast<double>(offset)));
   }
+  if (points.size() >= 3 && std::isfinite(alone.error)) {
+    EXPECT_GE(alone.error, derived_square_error(points, *exact));
+  }
   ++counts.spheres;
   const RoundedSphere truth = rounded_sphere(*exact);
+  if (const auto decided = decided_double(alone)) {
+    ++counts.decided_squares;
+    EXPECT_EQ(*decided, truth.squared_radius);
+  }
   if (const auto decided = decided_sphere(sphere)) {
     ++counts.decided;
     EXPECT_EQ(decided->center, truth.center);
@@ -171,6 +190,7 @@ void check_sphere(const std::vector<Point>& points, Counts& counts) {
   const RoundedSphere rounded = rounded_sphere(PointSet(points), contact, points.size() - 1);
   EXPECT_EQ(rounded.center, truth.center);
   EXPECT_EQ(rounded.squared_radius, truth.squared_radius);
+  EXPECT_EQ(rounded_squared_radius(PointSet(points), contact, points.size() - 1), truth.squared_radius);
 }
 
 template <std::size_t N>
@@ -198,6 +218,8 @@ TEST(BoundedSphere, IsWithinItsBoundsAndRoundsToTheNearestDoubles) {
       EXPECT_GT(two.decided, two.spheres * 9 / 10);
       EXPECT_GT(three.decided, three.spheres * 9 / 10);
       EXPECT_GT(four.decided, four.spheres * 9 / 10);
+      EXPECT_GT(three.decided_squares, three.spheres * 9 / 10);
+      EXPECT_GT(four.decided_squares, four.spheres * 9 / 10);
     }
   }
 }
@@ -209,6 +231,7 @@ TEST(BoundedSphere, OutOfRangeNothingIsKnown) {
     const std::array<const Point*, 4> given = {&p[0], &p[1], &p[2], &p[3]};
     for (const std::size_t count : {2U, 3U, 4U}) {
       EXPECT_FALSE(bounded_sphere(std::span(given).first(count)).squared_radius.error < HUGE_VAL) << count;
+      EXPECT_FALSE(bounded_squared_radius(std::span(given).first(count)).error < HUGE_VAL) << count;
     }
   }
 }
