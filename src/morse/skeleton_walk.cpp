@@ -68,7 +68,7 @@ void SkeletonWalk::follow() {
 void SkeletonWalk::clear() {
   size_ = {};
   tasks_.clear();
-  visited_.clear();
+  if (!visited_.empty()) visited_.clear();  // which takes as long as it once was large
   ends_.clear();
   lengths_.clear();
   sources_of_intervals_.clear();
@@ -85,9 +85,27 @@ void SkeletonWalk::begin(std::size_t record) {
   follow();
 }
 
+// A critical triangle whose sides are Gabriel: each segment ends at the midpoint of a side. Most triangles of a scan
+// are such.
+bool SkeletonWalk::ends_at_sides(std::size_t record) {
+  if (source_.stationary.contact(record).size() != 3 || !source_.stationary.index(record).is_critical()) return false;
+  const std::array<VertexIndex, 3> corners = source_.diagram.corners(edge_of_record(source_.stationary, record));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto side = source_.gabriel.find(facet_name(corners[k], corners[(k + 1) % 3]));
+    if (!side) {
+      ends_.clear();
+      return false;
+    }
+    ends_.push_back(*side);
+  }
+  lengths_.assign(3, 1);
+  size_.segments = 3;
+  return true;
+}
+
 const SkeletonSize& SkeletonWalk::walk(std::size_t record) {
   clear();
-  begin(record);
+  if (!ends_at_sides(record)) begin(record);
   return size_;
 }
 

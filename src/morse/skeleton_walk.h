@@ -81,6 +81,7 @@ class SkeletonWalk {
   void clear();
   FrontNumber start(std::size_t record);
   void begin(std::size_t record);
+  [[nodiscard]] bool ends_at_sides(std::size_t record);
   void push_sources(FrontNumber front);
   void push_sides(FrontNumber front, PolygonRef polygon);
   void push_vertex(CellIndex cluster, FrontNumber front);
