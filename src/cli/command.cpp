@@ -129,9 +129,8 @@ FlowOptions complex_options(const Input& input, FlowOptions flow) {
   return flow;
 }
 
-void tell_of_many_cells(const FlowComplex& complex) {
+void tell_of_many_cells(std::size_t cells, std::size_t points) {
   constexpr std::size_t kManyForAPoint = 100, kMany = 100'000;
-  const std::size_t cells = complex.delaunay_cells(), points = complex.points().size();
   if (cells < kMany || cells / points < kManyForAPoint) return;
   io::tell(fmt::format("note: {} Delaunay cells, {} a point: memory and output grow with the square of the points\n",
                        with_commas(cells), with_commas(cells / points)));

@@ -73,8 +73,11 @@ struct Input {
 // For a flow complex of it, which is made in this way.
 [[nodiscard]] FlowOptions complex_options(const Input& input, FlowOptions flow = {});
 
-// Says on standard error, before anything is written, that it will be much. Makes the diagram.
-void tell_of_many_cells(const FlowComplex& complex);
+// Says on standard error, before anything is written, that it will be much.
+void tell_of_many_cells(std::size_t cells, std::size_t points);
+inline void tell_of_many_cells(const FlowComplex& complex) {
+  tell_of_many_cells(complex.delaunay_cells(), complex.points().size());
+}
 
 // The first line of a report, "bunny.obj (OBJ)".
 void print_input(const Input& input);

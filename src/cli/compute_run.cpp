@@ -57,7 +57,9 @@ Measured measure(const PointSet& points, unsigned runs, const FlowOptions& optio
     after_delaunay.push_back(seconds_to_make(FlowComplexPart::kStationary));
     for (const FlowComplexPart part : parts) after_delaunay.back() += seconds_to_make(part);
   }
-  for (const auto& [part, seconds] : times) result.seconds[part] = median(seconds);
+  for (const auto& [part, seconds] : times) {
+    result.seconds[part == FlowComplexPart::kChains ? FlowComplexPart::kPersistence : part] += median(seconds);
+  }
   result.seconds_after_delaunay = median(after_delaunay);
   result.has_ratios = points.size() >= 4 && result.seconds.at(FlowComplexPart::kTriangulation) > 0;
   return result;

@@ -15,7 +15,7 @@ namespace flowcert::cli {
 struct Measured {
   std::optional<FlowComplex> last;
   unsigned runs = 0;
-  // Medians, of the triangulation, the stationary points and the other parts.
+  // Medians, of the triangulation, the stationary points and the other parts. That of the pairs has the chains, too.
   std::map<FlowComplexPart, double> seconds;
   double seconds_after_delaunay = 0;  // of all but the triangulation; a median
   bool has_ratios = false;            // to the triangulation; not for fewer than 4 points, or no measurable time
@@ -26,7 +26,7 @@ struct Measured {
 };
 
 // Called with what the last run has just made. It may take its time, which is not measured.
-using PartMade = std::function<void(const FlowComplex& complex, FlowComplexPart part)>;
+using PartMade = std::function<void(FlowComplex& complex, FlowComplexPart part)>;
 
 // Computes everything `runs` times. Each run makes the triangulation, the stationary points and these parts in turn, so
 // that all parts see the same state of the machine.

@@ -101,7 +101,7 @@ std::string distance_text(const Rational& squared, const FixedDecimals& decimals
 void print_longest_pairs(const Input& input, const FlowComplex& complex) {
   const Persistence& persistence = complex.persistence();
   const StationaryPoints& stationary = complex.stationary();
-  const FixedDecimals decimals(morse::squared_spacing(complex));
+  const FixedDecimals decimals(morse::squared_spacing(complex, persistence.squared_distances()));
   const auto place = [&](std::size_t record) {
     return contact_text(stationary, record) + atoms_of_contact(input.file.atoms, stationary.contact(record));
   };
@@ -128,6 +128,33 @@ void print_longest_pairs(const Input& input, const FlowComplex& complex) {
                 2);
 }
 
+// ---- What is computed ----
+
+// What the parts told that are forgotten before the pairs are made.
+struct Forgotten {
+  std::size_t cells = 0;
+  std::size_t surface_ties = 0;
+};
+
+struct Computed {
+  Measured measured;
+  Forgotten before;
+};
+
+// The pairs take as much memory as all before them, which a certificate alone needs afterwards.
+Computed compute_pairs(const Input& input, const PersistenceOptions& options) {
+  using enum FlowComplexPart;
+  Forgotten before;
+  const PartMade made = [&](FlowComplex& complex, FlowComplexPart part) {
+    if (part != kChains) return;
+    before = {complex.delaunay_cells(), complex.stable().statistics().broken_ties};
+    if (options.certificate.empty()) complex.forget_diagram();
+  };
+  Measured measured = measure(input.points, 1, complex_options(input, {.seed = options.seed}),
+                              {kUnstable, kStable, kChains, kPersistence}, made);
+  return {std::move(measured), before};
+}
+
 // ---- What is printed ----
 
 // Most inputs have no tie.
@@ -135,7 +162,8 @@ void print_choices(const char* name, std::size_t count, const char* remark) {
   if (count > 0) print_row(name, with_commas(count), remark);
 }
 
-void print_table(const Input& input, const Measured& measured, bool with_zero) {
+void print_table(const Input& input, const Computed& computed, bool with_zero) {
+  const auto& [measured, before] = computed;
   const FlowComplex& complex = *measured.last;
   print_input(input);
   print_point_counts(input.points);
@@ -152,14 +180,15 @@ void print_table(const Input& input, const Measured& measured, bool with_zero) {
             with_zero ? "regular stationary points" : "regular; --zero writes them");
   print_choices("choices at ties, orbits", complex.chains().broken_ties(),
                 "at a saddle one of several ways on was taken; pairs do not depend on it");
-  print_choices("choices at ties, surfaces", complex.stable().statistics().broken_ties,
+  print_choices("choices at ties, surfaces", before.surface_ties,
                 "one of several boundaries was taken; pairs do not depend on it");
   print_times(measured);
   print_time(measured, "all after the triangulation", measured.seconds_after_delaunay);
   print_longest_pairs(input, complex);
 }
 
-void print_json(const Input& input, const Measured& measured, const PersistenceDiagram& diagram, std::uint64_t seed) {
+void print_json(const Input& input, const Computed& computed, const PersistenceDiagram& diagram, std::uint64_t seed) {
+  const auto& [measured, before] = computed;
   const FlowComplex& complex = *measured.last;
   Json json = header_fields("flowcert-persistence", 1, input.points);
   add_counts(json, input.points, complex.stationary());
@@ -167,7 +196,7 @@ void print_json(const Input& input, const Measured& measured, const PersistenceD
   for (const PairCounts& count : counts_of(complex)) {
     counts.push_back({{"positive", count.positive}, {"zero", count.zero}, {"lasting", count.lasting}});
   }
-  json["ties_broken"] = {{"u2", complex.chains().broken_ties()}, {"s2", complex.stable().statistics().broken_ties}};
+  json["ties_broken"] = {{"u2", complex.chains().broken_ties()}, {"s2", before.surface_ties}};
   json["seed"] = seed;
   add_times(json, measured);
   json["has_zero"] = diagram.has_zero();
@@ -215,20 +244,18 @@ void print_persistence(const PersistenceOptions& options) {
   }
   require_another_file(options.certificate, options.output);
   const Input input = read_input(options);
-  const Measured measured =
-      measure(input.points, 1, complex_options(input, {.seed = options.seed}),
-              {FlowComplexPart::kUnstable, FlowComplexPart::kStable, FlowComplexPart::kPersistence});
-  const FlowComplex& complex = *measured.last;
-  tell_of_many_cells(complex);
+  const Computed computed = compute_pairs(input, options);
+  const FlowComplex& complex = *computed.measured.last;
+  tell_of_many_cells(computed.before.cells, input.points.size());
   const auto diagram = with_progress("pairs", [&] { return PersistenceDiagram(complex, options.with_zero); });
   const bool is_streamed = options.output == kStandardStream;
   if (is_streamed) print_pairs(options, diagram);
   if (!is_streamed && !options.output.empty()) write_file(options, diagram);
   write_certificate_file(options.certificate, complex);
   if (options.json) {
-    print_json(input, measured, diagram, options.seed);
+    print_json(input, computed, diagram, options.seed);
   } else if (!is_streamed) {
-    print_table(input, measured, options.with_zero);
+    print_table(input, computed, options.with_zero);
   }
 }
 

@@ -27,6 +27,8 @@ class WorkerPool {
     const std::scoped_lock lock(mutex_);
     free_.push_back(std::move(worker));
   }
+  // No worker may be at work.
+  void clear() { free_.clear(); }
 
  private:
   std::unique_ptr<Worker> take() {

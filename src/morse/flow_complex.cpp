@@ -64,6 +64,12 @@ struct FlowComplex::Parts {
     return std::get<static_cast<std::size_t>(part)>(all_made);
   }
 
+  template <FlowComplexPart part>
+  void forget() {
+    get<part>().reset();
+    is_made[static_cast<std::size_t>(part)].store(false, std::memory_order_release);
+  }
+
   std::array<std::mutex, kFlowComplexParts> making;
   std::array<std::atomic<bool>, kFlowComplexParts> is_made{};
   FilterTally tally;
@@ -158,6 +164,23 @@ void FlowComplex::make(FlowComplexPart part) const {
   if (part == kDiagram) all.get<kTriangulation>().reset();
   all.is_made[number].store(true, std::memory_order_release);
   if (progress && !tells_by_itself(part)) progress(1, 1);
+}
+
+// What refers to another part goes first.
+void FlowComplex::forget_diagram() {
+  FLOWCERT_REQUIRES(parts_ != nullptr);
+  Parts& all = *parts_;
+  all.locators.clear();
+  all.locator.reset();
+  all.flows.clear();
+  all.forget<kMergeTrees>();
+  all.forget<kUnstableSurfaces>();
+  all.forget<kVolumes>();
+  all.forget<kLimits>();
+  all.forget<kStable>();
+  all.forget<kUnstable>();
+  all.forget<kDiagram>();
+  all.forget<kTriangulation>();
 }
 
 namespace {

@@ -8,10 +8,8 @@
 
 namespace flowcert::morse {
 
-namespace {
-
 // For each sample: the critical point of index 1 that is nearest to it.
-std::optional<Rational> squared_spacing_of(const FlowComplex& complex, const SquaredDistances& values) {
+std::optional<Rational> squared_spacing(const FlowComplex& complex, const SquaredDistances& values) {
   const PointSet& points = complex.points();
   const StationaryPoints& stationary = complex.stationary();
   if (points.size() < 2) return std::nullopt;
@@ -33,6 +31,8 @@ std::optional<Rational> squared_spacing_of(const FlowComplex& complex, const Squ
   return 4 * values.exact(middle->record);
 }
 
+namespace {
+
 ValueOrder order_of(const FlowComplex& complex, const SquaredDistances& values) {
   const auto& counts = complex.stationary().critical_counts();
   std::vector<std::size_t> records(counts[2]);
@@ -43,12 +43,12 @@ ValueOrder order_of(const FlowComplex& complex, const SquaredDistances& values) 
 }  // namespace
 
 std::optional<Rational> squared_spacing(const FlowComplex& complex) {
-  return squared_spacing_of(complex, SquaredDistances(complex.points(), complex.stationary()));
+  return squared_spacing(complex, SquaredDistances(complex.points(), complex.stationary()));
 }
 
 SaddleRadii::SaddleRadii(const FlowComplex& complex)
     : values_(complex.points(), complex.stationary()),
-      spacing_(squared_spacing_of(complex, values_)),
+      spacing_(morse::squared_spacing(complex, values_)),
       order_(order_of(complex, values_)) {}
 
 // Where there is a circle, there are several samples.

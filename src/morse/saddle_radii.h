@@ -17,6 +17,8 @@ namespace flowcert::morse {
 // The square of the median, over all samples, of the distance from a sample to its nearest other one. Of an even number
 // of samples it is the lesser of the two in the middle. Nothing for fewer than two samples. (The midpoint of a sample
 // and its nearest other one is a critical point of index 1. So the distances are read off these.)
+// The values are the complex's; without them they are computed.
+[[nodiscard]] std::optional<Rational> squared_spacing(const FlowComplex& complex, const SquaredDistances& values);
 [[nodiscard]] std::optional<Rational> squared_spacing(const FlowComplex& complex);
 
 class SaddleRadii {

@@ -183,6 +183,38 @@ TEST(FlowComplex, TellsItsProgressAndComputesEachPartOnce) {
   }
 }
 
+// What is there without the diagram is enough to write pairs. All else is made once more, and is the same.
+TEST(FlowComplex, IsTheSameAfterItsDiagramIsForgotten) {
+  CITES("FC-INV-01", "FC-PERS-01");
+  std::map<FlowComplexPart, std::size_t> ends;
+  FlowComplex complex(pyramid(), {}, [&](FlowComplexPart part, std::size_t done, std::size_t total) {
+    if (done == total) ++ends[part];
+  });
+  const std::string account = account_of(complex);
+  const FlowPlace place = complex.locate(Point{0.25, 0.5, 1});
+  const auto pairs = [&] {
+    std::string text;
+    for (const PersistencePair& pair : complex.persistence().pairs()) {
+      text += to_text(complex.persistence().squared_value(pair.birth)) + ' ' +
+              to_text(complex.sphere(pair.death.value_or(pair.birth)).squared_radius) + '\n';
+    }
+    return text;
+  };
+  const std::string before = pairs();
+  complex.forget_diagram();
+  EXPECT_EQ(pairs(), before);
+  EXPECT_EQ(complex.chains().broken_ties(), 0U);
+  EXPECT_EQ(ends[FlowComplexPart::kTriangulation], 1U);
+  EXPECT_EQ(complex.locate(Point{0.25, 0.5, 1}), place);
+  EXPECT_EQ(account_of(complex), account);
+  for (std::size_t part = 0; part < kFlowComplexParts; ++part) {
+    const auto which = static_cast<FlowComplexPart>(part);
+    const bool stays = which == FlowComplexPart::kStationary || which == FlowComplexPart::kChains ||
+                       which == FlowComplexPart::kPersistence;
+    EXPECT_EQ(ends[which], stays ? 1U : 2U) << part;
+  }
+}
+
 // The stages that pass over all cells tell how far they are, too, and so do those of the whole complex.
 TEST(FlowComplex, PartsWithStagesTellHowFarTheyAre) {
   CITES("FC-INV-01", "FC-UNST-02", "FC-VOL-01");

@@ -2,8 +2,9 @@
 //
 // Guarantees: exact, on every input. It owns the points and everything that is computed of them. Each part is made
 // once, when it is first asked for. A reference to a part stays valid as long as the complex exists, even if the
-// complex is moved; only what refers to the complex itself must not outlive a move. A complex that was moved from can
-// be assigned to or destroyed. Const access is safe from several threads. Source: spec/flow_complex.md.
+// complex is moved, unless the part is forgotten; only what refers to the complex itself must not outlive a move. A
+// complex that was moved from can be assigned to or destroyed. Const access is safe from several threads. Source:
+// spec/flow_complex.md.
 #pragma once
 
 #include <array>
@@ -69,6 +70,9 @@ class FlowComplex {
 
   // Makes a part and those that it needs, where they are not there yet.
   void make(FlowComplexPart part) const;
+  // Gives back the memory of the diagram and of what refers to it, which is most of it. Points, stationary points,
+  // chains and persistence stay. What is forgotten is made again when it is asked for, and references to it end.
+  void forget_diagram();
 
   [[nodiscard]] const PointSet& points() const;
   // The options say this number. What is written of a complex is made by as many threads.
