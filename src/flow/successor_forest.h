@@ -52,12 +52,16 @@ class SuccessorForest {
   // The orbit from a Voronoi vertex on: its first stretch, which knows the total and the end. It flows if need be,
   // and counts the visit. The reference holds until the next question.
   [[nodiscard]] const Stretch& visit(CellIndex cluster, FlowOperator& flow);
+  // Prefetches what visit_known() needs.
+  void prefetch_known(CellIndex cluster) const { __builtin_prefetch(&stretches_[stretch_of_[cluster]], 1); }
   // Visits a Voronoi vertex that flow_from() has reached. Threads may do this at once.
   const Stretch& visit_known(CellIndex cluster) {
     Stretch& stretch = stretches_[stretch_of_[cluster]];
     std::atomic_ref(stretch.visits).fetch_add(1, std::memory_order_relaxed);
     return stretch;
   }
+  // All ends that orbits have come to. Stretches name them by their places.
+  [[nodiscard]] std::span<const ForestEnd> ends() const { return ends_; }
   // The end of an orbit, by its first stretch; nothing for infinity.
   [[nodiscard]] std::optional<ForestEnd> end_of(const Stretch& first) const {
     return first.end == Stretch::kInfinity ? std::nullopt : std::optional(ends_[first.end]);

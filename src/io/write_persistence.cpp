@@ -18,6 +18,7 @@
 #include "geometry/difference_of_roots.h"
 #include "geometry/floating_point.h"
 #include "geometry/portions.h"
+#include "geometry/prefetch.h"
 #include "io/ordered_text.h"
 
 namespace flowcert {
@@ -39,7 +40,10 @@ void sort_pairs(const SquaredDistances& values, std::vector<PersistencePair>& pa
   constexpr std::uint32_t kLast = 0xffffffffu;
   std::vector<RankedPair> ranked;
   ranked.reserve(pairs.size());
-  for (const PersistencePair& pair : pairs) {
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if (k + geometry::kPrefetchAhead < pairs.size() && pairs[k + geometry::kPrefetchAhead].death)
+      values.prefetch(*pairs[k + geometry::kPrefetchAhead].death);
+    const PersistencePair& pair = pairs[k];
     const std::uint32_t death = pair.death ? values.rank(*pair.death) : kLast;
     ranked.push_back({std::uint64_t{values.rank(pair.birth)} << 32 | death, pair});
   }
@@ -54,19 +58,18 @@ std::vector<double> rounded_values(const PersistenceDiagram& diagram, Persistenc
   std::vector<double> rounded(diagram.has_zero() ? stationary.size() : critical_count(stationary));
   constexpr std::size_t kPortion = geometry::portion_size(512);
   geometry::in_portions(diagram.complex().threads(), rounded.size(), kPortion, {}, [&](std::size_t, std::size_t k) {
+    if (k + geometry::kPrefetchAhead < rounded.size())
+      diagram.complex().points().prefetch(stationary.contact(k + geometry::kPrefetchAhead));
     rounded[k] = values == PersistenceValues::kSquared ? diagram.rounded_squared_value(k) : diagram.rounded_value(k);
   });
   return rounded;
 }
 
-void require_doubles(const PersistenceDiagram& diagram, const std::vector<double>& rounded) {
-  const auto is_beyond = [&](std::uint32_t record) { return !std::isfinite(rounded[record]); };
-  for (const PersistencePair& pair : diagram.pairs()) {
-    if (!is_beyond(pair.birth) && !(pair.death && is_beyond(*pair.death))) continue;
-    throw InvalidInput(
-        "a squared distance is beyond the largest double, which a .pers file cannot say; --json has it "
-        "exactly");
-  }
+// Each of these records is an end of a pair.
+void require_doubles(const std::vector<double>& rounded) {
+  if (std::ranges::all_of(rounded, [](double value) { return std::isfinite(value); })) return;
+  throw InvalidInput(
+      "a squared distance is beyond the largest double, which a .pers file cannot say; --json has it exactly");
 }
 
 }  // namespace
@@ -96,7 +99,7 @@ double PersistenceDiagram::rounded_value(std::size_t record) const {
 void write_pers(std::ostream& out, const PersistenceDiagram& diagram, PersistenceValues values) {
   const geometry::IeeeDoubles ieee;
   const std::vector<double> rounded = rounded_values(diagram, values);
-  require_doubles(diagram, rounded);
+  require_doubles(rounded);
   const Reproducibility made_by = reproducibility();
   const bool is_squared = values == PersistenceValues::kSquared;
   out << fmt::format(
@@ -110,9 +113,16 @@ void write_pers(std::ostream& out, const PersistenceDiagram& diagram, Persistenc
   out << (diagram.has_zero() ? "# With regular stationary points, as pairs of length zero.\n"
                              : "# Without pairs of length zero.\n");
   if (!is_squared) out << kPlainValuesMark << '\n';
+  const auto prefetch = [&](const PersistencePair& pair) {
+    __builtin_prefetch(&rounded[pair.birth]);
+    if (pair.death) __builtin_prefetch(&rounded[*pair.death]);
+  };
   const auto make = [&](std::size_t first, std::size_t last, std::string& lines) {
     const auto end = std::back_inserter(lines);
-    for (const PersistencePair& pair : std::span(diagram.pairs()).subspan(first, last - first)) {
+    for (std::size_t k = first; k < last; ++k) {
+      if (k + geometry::kPrefetchAhead < diagram.pairs().size())
+        prefetch(diagram.pairs()[k + geometry::kPrefetchAhead]);
+      const PersistencePair& pair = diagram.pairs()[k];
       fmt::format_to(end, "{} {} ", pair.dimension, rounded[pair.birth]);
       pair.death ? fmt::format_to(end, "{}\n", rounded[*pair.death]) : fmt::format_to(end, "inf\n");
     }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/floating_point.h"
+#include "geometry/prefetch.h"
 #include "morse/chain_boundary.h"
 #include "morse/layer.h"
 #include "morse/record_finder.h"
@@ -45,6 +46,11 @@ ChainComplex::ChainComplex(const PointSet& points, const StationaryPoints& stati
   for (std::size_t i = 0; i < limits_.size(); ++i) first_[saddles.first + i + 1] = stable.boundary(i).size();
   const auto for_each_side = [&](const auto& use) {
     for (std::size_t i = 0; i < limits_.size(); ++i) {
+      if (i + geometry::kPrefetchAhead < limits_.size()) {
+        for (const std::uint32_t limit : limits_[i + geometry::kPrefetchAhead]) {
+          if (limit != kInfinity) prefetch(limit);
+        }
+      }
       if (limits_[i][0] == limits_[i][1]) continue;
       for (const std::uint32_t limit : limits_[i]) {
         if (limit != kInfinity) use(limit, static_cast<std::uint32_t>(saddles.first + i));

@@ -24,7 +24,7 @@ void OrderedRecords::take(OrderedRecords other) {
   std::ranges::move(other.large_, std::back_inserter(large_));
   for (std::size_t slot = 0; slot < records_.size(); ++slot) {
     std::vector<Record>& added = other.records_[slot];
-    for (Record& record : added) {
+    for (Record& record : first_large > 0 ? std::span(added) : std::span<Record>()) {
       if (record.size > record.small.size()) record.small[1] += first_large;
     }
     if (records_[slot].empty()) {
@@ -77,9 +77,8 @@ std::vector<OrderedRecords::Record> OrderedRecords::sorted(const std::vector<Rec
   for (const Record& record : records) result[next[record.small[0]]++] = record;
   for (std::size_t k = 0; k < ordinals_.size(); ++k) {
     if (start[k + 1] - start[k] < 2) continue;
-    std::sort(result.begin() + start[k], result.begin() + start[k + 1], [this](const Record& a, const Record& b) {
-      return std::ranges::lexicographical_compare(contact(a), contact(b));
-    });
+    std::sort(result.begin() + start[k], result.begin() + start[k + 1],
+              [this](const Record& a, const Record& b) { return is_less(a, b); });
   }
   return result;
 }

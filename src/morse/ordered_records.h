@@ -2,6 +2,7 @@
 // clause FC-OUT-02 fixes.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -43,6 +44,13 @@ class OrderedRecords {
   [[nodiscard]] std::span<const std::uint32_t> contact(const Record& record) const {
     if (record.size > record.small.size()) return large_[record.small[1]];
     return std::span(record.small).first(record.size);
+  }
+  // For two records with the same first point. The second and the third one mostly decide.
+  [[nodiscard]] bool is_less(const Record& a, const Record& b) const {
+    const auto key = [](const Record& record) { return std::uint64_t{record.small[1]} << 32 | record.small[2]; };
+    const bool are_small = std::max(a.size, b.size) <= a.small.size();
+    if (are_small && key(a) != key(b)) return key(a) < key(b);
+    return std::ranges::lexicographical_compare(contact(a), contact(b));
   }
   [[nodiscard]] std::vector<Record> sorted(const std::vector<Record>& records) const;
 

@@ -10,6 +10,7 @@
 
 #include "geometry/floating_point.h"
 #include "geometry/parallel_for.h"
+#include "geometry/prefetch.h"
 #include "morse/layer.h"
 
 namespace flowcert {
@@ -34,6 +35,7 @@ class Components {
     elder_[std::max(a, b)] = std::min(a, b);
     return std::max(a, b);
   }
+  void prefetch(Record element) const { __builtin_prefetch(&elder_[element]); }
 
  private:
   Record eldest(Record element) {
@@ -75,6 +77,8 @@ class Pairing {
   }
 
  private:
+  // Prefetches the boundary itself. What prefetches its place comes before this.
+  void prefetch_boundary(Record record) const { __builtin_prefetch(complex_.boundary(record).data()); }
   int index_of(Record record) const {
     return static_cast<int>(std::ranges::upper_bound(first_, record) - first_.begin()) - 1;
   }
@@ -86,10 +90,16 @@ class Pairing {
   // All samples are born at 0; the one listed later dies.
   void pair_components() {
     Components components(ascending_[0].size());
-    for (const Record edge : ascending_[1]) {
+    const auto merge = [&](Record edge) {
       const auto ends = complex_.boundary(edge);
       if (const auto dies = components.merge(ends[0], ends[1])) add(*dies, edge);
-    }
+    };
+    const auto prefetch_ends = [&](Record edge) {
+      for (const Record end : complex_.boundary(edge)) components.prefetch(end);
+    };
+    geometry::in_blocks(
+        std::span<const Record>(ascending_[1]), merge, [&](Record edge) { complex_.prefetch(edge); },
+        [&](Record edge) { prefetch_boundary(edge); }, prefetch_ends);
   }
 
   // Going down in value, two voids come together at the index-2 point that separates them. That point is
@@ -100,12 +110,23 @@ class Pairing {
     for (Record k = 0; k < maxima.size(); ++k) age[maxima[k] - first_[3]] = static_cast<Record>(maxima.size()) - k;
     const auto age_of = [&](Record limit) { return limit == ChainComplex::kInfinity ? 0 : age[limit - first_[3]]; };
     Components voids(maxima.size() + 1);
-    for (auto saddle = ascending_[2].rbegin(); saddle != ascending_[2].rend(); ++saddle) {
-      const auto& limits = complex_.limits()[*saddle - first_[2]];
-      if (const auto dies = voids.merge(age_of(limits[0]), age_of(limits[1]))) {
-        add(*saddle, maxima[maxima.size() - *dies]);
+    const auto limits_of = [&](Record saddle) { return &complex_.limits()[saddle - first_[2]]; };
+    const auto merge = [&](Record saddle) {
+      const auto& [one, other] = *limits_of(saddle);
+      if (const auto dies = voids.merge(age_of(one), age_of(other))) add(saddle, maxima[maxima.size() - *dies]);
+    };
+    const auto prefetch_ages = [&](Record saddle) {
+      for (const Record limit : *limits_of(saddle)) {
+        if (limit != ChainComplex::kInfinity) __builtin_prefetch(&age[limit - first_[3]]);
       }
-    }
+    };
+    const auto prefetch_voids = [&](Record saddle) {
+      for (const Record limit : *limits_of(saddle)) voids.prefetch(age_of(limit));
+    };
+    const std::vector<Record> descending(ascending_[2].rbegin(), ascending_[2].rend());
+    geometry::in_blocks(
+        std::span(descending), merge, [&](Record saddle) { __builtin_prefetch(limits_of(saddle)); }, prefetch_ages,
+        prefetch_voids);
   }
 
   // A column is a sum of index-1 points that close a tunnel. Each is given by its place among these; places ascend.
@@ -120,8 +141,7 @@ class Pairing {
     std::vector<Record> columns;                                                 // one after the other
     std::vector<std::pair<std::size_t, std::size_t>> column_of(edge_at.size());  // by its last place: begin and end
     std::vector<Record> column, sum;
-    for (const Record saddle : ascending_[2]) {
-      if (partner_[saddle] != kNone) continue;
+    const auto reduce = [&](Record saddle) {
       column.clear();
       for (const Record edge : complex_.boundary(saddle)) {
         if (const Record place = place_of[edge - first_[1]]; place != kNone) column.push_back(place);
@@ -138,7 +158,26 @@ class Pairing {
       add(edge_at[column.back()], saddle);
       column_of[column.back()] = {columns.size(), columns.size() + column.size()};
       columns.insert(columns.end(), column.begin(), column.end());
-    }
+    };
+    const auto last_place = [&](Record saddle) {
+      Record last = 0;
+      for (const Record edge : complex_.boundary(saddle)) {
+        if (const Record place = place_of[edge - first_[1]]; place != kNone) last = std::max(last, place);
+      }
+      return last;
+    };
+    const auto prefetch_places = [&](Record saddle) {
+      for (const Record edge : complex_.boundary(saddle)) __builtin_prefetch(&place_of[edge - first_[1]]);
+    };
+    std::vector<Record> killing = ascending_[2];
+    std::erase_if(killing, [this](Record saddle) { return partner_[saddle] != kNone; });
+    geometry::in_blocks(
+        std::span<const Record>(killing), reduce, [&](Record saddle) { complex_.prefetch(saddle); },
+        [&](Record saddle) { prefetch_boundary(saddle); }, prefetch_places,
+        [&](Record saddle) { __builtin_prefetch(column_of.data() + last_place(saddle)); },
+        [&](Record saddle) {
+          if (!edge_at.empty()) __builtin_prefetch(columns.data() + column_of[last_place(saddle)].first);
+        });
   }
 
   const ChainComplex& complex_;

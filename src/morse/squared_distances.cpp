@@ -16,6 +16,7 @@
 #include "geometry/floating_point.h"
 #include "geometry/parallel_for.h"
 #include "geometry/portions.h"
+#include "geometry/prefetch.h"
 #include "geometry/value_range.h"
 #include "geometry/vector3.h"
 #include "morse/layer.h"
@@ -99,9 +100,25 @@ Approximation rounded(const Rational& value) {
 
 ValueRange range_of(const Approximation& value) { return range_around(value.value, value.error); }
 
+// Sorted and compared without a look at the value itself, which lies elsewhere.
 struct KeyedRecord {
-  std::uint64_t key;  // doubles that are not negative ascend as their bits do
-  std::uint32_t record;
+  std::uint64_t key = 0;  // the lower end of its range: doubles that are not negative ascend as their bits do
+  std::uint32_t record = 0;
+  float width = 0;  // the upper end is at most 1 + this times the lower end
+
+  KeyedRecord() = default;
+  KeyedRecord(const Approximation& value, std::uint32_t number) : record(number) {
+    const ValueRange range = range_of(value);
+    key = std::bit_cast<std::uint64_t>(range.low);
+    // The quotient and the difference are rounded by less than the products add. A float is rounded by 2^-25.
+    width = static_cast<float>((range.high / range.low * (1 + kRoundingShare) - 1) * (1 + 0x1p-20));
+  }
+  // Nothing is known of the upper end where the products leave the doubles.
+  [[nodiscard]] ValueRange range() const {
+    const auto low = std::bit_cast<double>(key);
+    const double high = low * (1.0 + static_cast<double>(width)) * (1 + kRoundingShare);
+    return {low, std::isfinite(high) && low > 1e-290 ? high : HUGE_VAL};
+  }
 };
 bool is_less(const KeyedRecord& one, const KeyedRecord& other) { return one.key < other.key; }
 
@@ -122,14 +139,16 @@ void sort_in_parts(std::vector<KeyedRecord>& records, unsigned threads) {
   }
 }
 
-void sort_by_low_end(const std::vector<Approximation>& values, std::span<std::uint32_t> records, unsigned threads) {
+// All but the first `samples` of them.
+std::vector<KeyedRecord> sorted_by_low_end(const std::vector<Approximation>& values, std::size_t samples,
+                                           unsigned threads) {
   std::vector<KeyedRecord> keyed;
-  keyed.reserve(records.size());
-  for (const std::uint32_t record : records) {
-    keyed.push_back({std::bit_cast<std::uint64_t>(range_of(values[record]).low), record});
+  keyed.reserve(values.size() - samples);
+  for (std::size_t record = samples; record < values.size(); ++record) {
+    keyed.emplace_back(values[record], static_cast<std::uint32_t>(record));
   }
   sort_in_parts(keyed, threads);
-  std::ranges::transform(keyed, records.begin(), &KeyedRecord::record);
+  return keyed;
 }
 
 }  // namespace
@@ -168,17 +187,21 @@ SquaredDistances::SquaredDistances(const PointSet& points, const StationaryPoint
   approximate_.resize(stationary.size());
   constexpr std::size_t kPortion = geometry::portion_size(4096);
   geometry::in_portions(threads, stationary.size(), kPortion, {}, [&](std::size_t, std::size_t record) {
+    if (record + geometry::kPrefetchAhead < stationary.size())
+      points.prefetch(stationary.contact(record + geometry::kPrefetchAhead));
     const auto approximate = approximation_of(points, stationary.index(record), stationary.contact(record));
     approximate_[record] = approximate ? *approximate : rounded(exact(record));
   });
   // The samples come first, and their rank is 0.
   std::iota(ascending_.begin(), ascending_.end(), std::uint32_t{0});
-  const auto others = std::span(ascending_).subspan(stationary.critical_counts()[0]);
-  sort_by_low_end(approximate_, others, threads);
-  const auto range = [this](std::uint32_t record) { return range_of(approximate_[record]); };
+  const std::size_t samples = stationary.critical_counts()[0];
+  const auto others = std::span(ascending_).subspan(samples);
+  const std::vector<KeyedRecord> keyed = sorted_by_low_end(approximate_, samples, threads);
+  std::ranges::transform(keyed, others.begin(), &KeyedRecord::record);
   std::vector<std::pair<Rational, std::uint32_t>> close;
   std::uint32_t rank = 1;
-  for_each_overlap(std::span<const std::uint32_t>(others), range, [&](std::size_t first, std::size_t last) {
+  const auto range = [](const KeyedRecord& one) { return one.range(); };
+  for_each_overlap(std::span<const KeyedRecord>(keyed), range, [&](std::size_t first, std::size_t last) {
     if (last == first + 1) {
       rank_[others[first]] = rank++;
       return;

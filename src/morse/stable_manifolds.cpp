@@ -11,6 +11,7 @@
 #include "geometry/contract.h"
 #include "geometry/floating_point.h"
 #include "geometry/portions.h"
+#include "geometry/prefetch.h"
 #include "morse/along_the_curve.h"
 #include "morse/chain_boundary.h"
 #include "morse/layer.h"
@@ -26,8 +27,6 @@ using namespace morse;
 namespace {
 
 constexpr std::size_t kProgressStep = geometry::portion_size(1024);
-// So many sets are begun before the memory for one is there.
-constexpr std::size_t kAhead = 12;
 
 }  // namespace
 
@@ -170,9 +169,9 @@ void StableManifolds::Parts::compute(const Progress& progress) {
   for (unsigned k = 0; k < threads; ++k) team.push_back(make_walk());
   shares.resize(team.size());
   geometry::in_portions(threads, order.size(), kProgressStep, progress, [&](std::size_t thread, std::size_t at) {
-    if (at + kAhead < order.size()) {
-      stationary.prefetch(record_of(order[at + kAhead]));
-      __builtin_prefetch(&sets[order[at + kAhead]], 1);
+    if (at + geometry::kPrefetchAhead < order.size()) {
+      stationary.prefetch(record_of(order[at + geometry::kPrefetchAhead]));
+      __builtin_prefetch(&sets[order[at + geometry::kPrefetchAhead]], 1);
     }
     make_set(*team[thread], order[at], static_cast<std::uint32_t>(thread));
   });

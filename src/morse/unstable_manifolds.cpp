@@ -19,6 +19,7 @@
 #include "geometry/floating_point.h"
 #include "geometry/parallel_for.h"
 #include "geometry/portions.h"
+#include "geometry/prefetch.h"
 #include "geometry/rational_point.h"
 #include "morse/along_the_curve.h"
 #include "morse/layer.h"
@@ -52,6 +53,7 @@ struct UnstableManifolds::Parts {
   // The index-2 points come one after the other in the list. A limit is a place in the list.
   static constexpr std::uint32_t kInfinity = 0xffffffffu;
   std::size_t first_saddle = 0;
+  std::size_t critical_count = 0;  // these come first in the list
   std::vector<std::array<std::uint32_t, 2>> limits;
   FlowStatistics statistics;
   WorkerPool<Worker> workers;
@@ -79,12 +81,25 @@ class UnstableManifolds::Parts::Worker {
                  const Progress& progress);
   // The orbit from a first vertex on, alone: returns what it ends at.
   std::uint32_t follow_alone(CellIndex first_vertex) {
-    return first_vertex == kNoCell ? count_orbit(nullptr) : count_orbit(&forest_.visit(first_vertex, *flow_));
+    if (first_vertex == kNoCell) return count_orbit(nullptr, kInfinity);
+    const Stretch& first = forest_.visit(first_vertex, *flow_);
+    return count_orbit(&first, limit_at(forest_.end_of(first)));
+  }
+  // For follow_in() of these first vertices.
+  void prefetch(std::span<const CellIndex> first_vertices) const {
+    for (const CellIndex vertex : first_vertices) {
+      if (vertex != kNoCell) forest_.prefetch_known(vertex);
+    }
   }
   // Follows the orbit where another worker's forest knows its first vertex. Workers may do this at once.
   std::uint32_t follow_in(Worker& other, CellIndex first_vertex) {
-    if (first_vertex == kNoCell) return count_orbit(nullptr);
-    return count_orbit(&other.forest_.visit_known(first_vertex), &other);
+    if (first_vertex == kNoCell) return count_orbit(nullptr, kInfinity);
+    const Stretch& first = other.forest_.visit_known(first_vertex);
+    return count_orbit(&first, first.end == Stretch::kInfinity ? kInfinity : other.limit_at_end_[first.end]);
+  }
+  // For follow_in() with this worker's forest.
+  void find_limits() {
+    for (const ForestEnd& end : forest_.ends()) limit_at_end_.push_back(limit_at(end));
   }
   // Adds what was flowed. Without sharing, all of that is forgotten.
   void count(FlowStatistics& statistics);
@@ -116,6 +131,11 @@ class UnstableManifolds::Parts::Worker {
     return all_.finder.find(end->index, recorder_.contact(end->place));
   }
 
+  [[nodiscard]] std::uint32_t limit_at(const std::optional<ForestEnd>& end) const {
+    const std::optional<std::size_t> record = record_of(end);
+    return record ? static_cast<std::uint32_t>(*record) : kInfinity;
+  }
+
   const Parts& all_;
   VoronoiFaces faces_;
   std::unique_ptr<FlowOperator> flow_;
@@ -123,8 +143,9 @@ class UnstableManifolds::Parts::Worker {
   SuccessorForest forest_;
   RoundedStretches rounded_;
   std::unordered_map<CellIndex, Point> last_directions_;  // by the last Voronoi vertex
-  // The orbit that begins with this stretch of the forest of `owner`, or its own; null for an orbit to infinity.
-  std::uint32_t count_orbit(const Stretch* first, const Worker* owner = nullptr);
+  std::vector<std::uint32_t> limit_at_end_;               // by the forest's ends
+  // The orbit that begins with this stretch, or with none, and its limit, which it returns.
+  std::uint32_t count_orbit(const Stretch* first, std::uint32_t limit);
 
   // Counts that go to the statistics together.
   struct {
@@ -166,20 +187,13 @@ void UnstableManifolds::Parts::Worker::flow_from(std::span<const CellIndex> star
   forest_.flow_from(starts, flows, progress);
 }
 
-std::uint32_t UnstableManifolds::Parts::Worker::count_orbit(const Stretch* first, const Worker* owner) {
-  std::size_t length = 1;
-  std::optional<std::size_t> limit;
-  if (first != nullptr) {
-    length += first->total;
-    limit = record_of((owner != nullptr ? owner : this)->forest_.end_of(*first));
-    ++to_vertex_;
-  } else {
-    ++to_infinity_;
-  }
+std::uint32_t UnstableManifolds::Parts::Worker::count_orbit(const Stretch* first, std::uint32_t limit) {
+  const std::size_t length = 1 + (first != nullptr ? std::size_t{first->total} : 0);
+  ++(first != nullptr ? to_vertex_ : to_infinity_);
   if (lengths_.size() <= length) lengths_.resize(length + 1, 0);
   ++lengths_[length];
-  ++(!limit ? ends_.to_infinity : all_.stationary.index(*limit).is_critical() ? ends_.to_critical : ends_.to_regular);
-  return limit ? static_cast<std::uint32_t>(*limit) : kInfinity;
+  ++(limit == kInfinity ? ends_.to_infinity : limit < all_.critical_count ? ends_.to_critical : ends_.to_regular);
+  return limit;
 }
 
 void UnstableManifolds::Parts::Worker::count(FlowStatistics& statistics) {
@@ -261,6 +275,7 @@ void UnstableManifolds::Parts::compute(const Progress& progress) {
   }
   const auto [first, last] = finder.range({2, 2});
   first_saddle = first;
+  critical_count = finder.range({3, 3}).second;
   limits.resize(last - first);
   const auto record_of = [first = first](std::uint32_t i) { return first + i; };
   const std::vector<std::uint32_t> order = along_the_curve(stationary, limits.size(), record_of);
@@ -271,8 +286,8 @@ void UnstableManifolds::Parts::compute(const Progress& progress) {
   constexpr std::size_t kPortion = geometry::portion_size(1024);
   std::vector<CellIndex> starts(2 * order.size());
   geometry::in_portions(threads, order.size(), kPortion, {}, [&](std::size_t thread, std::size_t k) {
-    constexpr std::size_t kAhead = 12;
-    if (k + kAhead < order.size()) stationary.prefetch(first_saddle + order[k + kAhead]);
+    if (k + geometry::kPrefetchAhead < order.size())
+      stationary.prefetch(first_saddle + order[k + geometry::kPrefetchAhead]);
     const auto [one, other] = team[thread]->first_vertices(first_saddle + order[k]);
     starts[2 * k] = one;
     starts[2 * k + 1] = other;
@@ -280,7 +295,10 @@ void UnstableManifolds::Parts::compute(const Progress& progress) {
   Worker& leader = *team.front();
   if (options.share) {
     leader.flow_from(starts, team, progress);
+    leader.find_limits();
     geometry::in_portions(threads, order.size(), kPortion, {}, [&](std::size_t thread, std::size_t k) {
+      if (k + geometry::kPrefetchAhead < order.size())
+        leader.prefetch(std::span(starts).subspan(2 * (k + geometry::kPrefetchAhead), 2));
       for (const std::size_t side : {0U, 1U}) {
         limits[order[k]][side] = team[thread]->follow_in(leader, starts[2 * k + side]);
       }

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <compare>
 #include <numeric>
+#include <queue>
 #include <unordered_map>
 #include <utility>
 
 #include "flowcert/sphere.h"
+#include "geometry/prefetch.h"
 
 namespace flowcert::morse {
 
@@ -131,16 +133,22 @@ ValueOrder length_order(const SquaredDistances& values, std::vector<PairEnds> pa
           }};
 }
 
-// A pair whose length is certainly less than `count` others is none of the longest.
+// A pair whose length is certainly less than `count` others is none of the longest. Few pairs are kept on the way.
 std::vector<PairEnds> perhaps_longest(const SquaredDistances& values, std::vector<PairEnds> pairs, std::size_t count) {
   if (count == 0 || pairs.size() <= count) return pairs;
-  std::vector<double> lows;
-  lows.reserve(pairs.size());
-  for (const PairEnds& pair : pairs) lows.push_back(length_range(values, pair).low);
-  const auto last = lows.begin() + static_cast<std::ptrdiff_t>(count - 1);
-  std::ranges::nth_element(lows, last, std::greater());
-  std::erase_if(pairs, [&, least = *last](const PairEnds& pair) { return length_range(values, pair).high < least; });
-  return pairs;
+  std::priority_queue<double, std::vector<double>, std::greater<>> lows;  // the `count` greatest
+  std::vector<PairEnds> kept;
+  const auto is_too_short = [&](double high) { return lows.size() == count && high < lows.top(); };
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if (k + geometry::kPrefetchAhead < pairs.size()) values.prefetch(pairs[k + geometry::kPrefetchAhead].death);
+    const auto [low, high] = length_range(values, pairs[k]);
+    if (is_too_short(high)) continue;
+    kept.push_back(pairs[k]);
+    lows.push(low);
+    if (lows.size() > count) lows.pop();
+  }
+  std::erase_if(kept, [&](const PairEnds& pair) { return is_too_short(length_range(values, pair).high); });
+  return kept;
 }
 
 ValueOrder radius_order(const SquaredDistances& values, std::vector<std::size_t> records) {

@@ -4,6 +4,7 @@
 // Source: spec clauses FC-IN-01 to FC-IN-04.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -63,6 +64,11 @@ class PointSet {
   }
   // The point that a row has.
   [[nodiscard]] const Point& at_row(PointId row) const { return points_[ordinal_of_row(row)]; }
+
+  // Prefetches the points of the first four of these rows: a sphere is computed from these.
+  [[gnu::always_inline]] void prefetch(std::span<const PointId> rows) const {
+    for (const PointId row : rows.first(std::min<std::size_t>(rows.size(), 4))) __builtin_prefetch(&at_row(row));
+  }
 
   // The classes of more than one row, each ascending, ordered by name. O(row_count()).
   [[nodiscard]] std::vector<std::vector<PointId>> repeated_classes() const;
