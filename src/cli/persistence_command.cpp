@@ -1,6 +1,7 @@
 // `flowcert persistence`: the persistence pairs of the squared distance function. The output is a file that GUDHI
 // reads, a table for people, or one exact JSON object (spec/formats/persistence.md).
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

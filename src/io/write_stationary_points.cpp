@@ -3,6 +3,7 @@
 #include "flowcert/write_stationary_points.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
