@@ -1,15 +1,14 @@
 // Records in the order in which their Voronoi faces lie in space: neighbours share what is in the cache.
 //
-// Apart from record_finder.h, which the file of the R-tree reads: in Boost 1.92 the headers for sorting and for that
-// tree exclude each other.
+// Apart from record_finder.h, which the file of the R-tree reads (sort_in_parts.h).
 #pragma once
 
-#include <boost/sort/spreadsort/integer_sort.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "flowcert/stationary_points.h"
+#include "geometry/sort_in_parts.h"
 #include "morse/layer.h"
 
 namespace flowcert::morse {
@@ -17,13 +16,13 @@ namespace flowcert::morse {
 // The numbers 0 to count - 1 in the order in which the faces of their records lie in space. record_of(i) is a place in
 // the list.
 [[nodiscard]] std::vector<std::uint32_t> along_the_curve(const StationaryPoints& list, std::size_t count,
-                                                         const auto& record_of) {
+                                                         const auto& record_of, unsigned threads) {
   // The key comes first, and then the number.
   std::vector<std::uint64_t> keyed(count);
   for (std::size_t i = 0; i < count; ++i) {
     keyed[i] = std::uint64_t{list.face(record_of(static_cast<std::uint32_t>(i)))} << 32 | i;
   }
-  boost::sort::spreadsort::integer_sort(keyed.begin(), keyed.end());
+  geometry::sort_in_parts(keyed, threads, [](std::uint64_t key) { return key; });
   std::vector<std::uint32_t> order(count);
   for (std::size_t i = 0; i < count; ++i) order[i] = static_cast<std::uint32_t>(keyed[i]);
   return order;

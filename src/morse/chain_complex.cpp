@@ -68,6 +68,9 @@ ChainComplex::ChainComplex(const PointSet& points, const StationaryPoints& stati
     }
   }
   for (std::size_t i = 0; i < limits_.size(); ++i) {
+    if (i + geometry::kPrefetchAhead < limits_.size()) {
+      __builtin_prefetch(stable.boundary(i + geometry::kPrefetchAhead).data());
+    }
     std::ranges::copy(stable.boundary(i), cells_.begin() + static_cast<std::ptrdiff_t>(first_[saddles.first + i]));
   }
   std::vector<std::size_t> next(first_.begin() + static_cast<std::ptrdiff_t>(maxima.first), first_.end());

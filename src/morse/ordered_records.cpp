@@ -84,26 +84,34 @@ std::vector<OrderedRecords::Record> OrderedRecords::sorted(const std::vector<Rec
 }
 
 StationaryPoints OrderedRecords::list(const PointSet& points, unsigned threads) const {
-  std::array<std::vector<Record>, kOrder.size()> in_order;
-  geometry::parallel_for(kOrder.size(), threads, [&](std::size_t slot) {
-    if (!records_[slot].empty()) in_order[slot] = sorted(records_[slot]);
-  });
-  StationaryPoints list;
-  std::size_t records = points.size();
-  for (const auto& of_one_index : records_) records += of_one_index.size();
-  list.reserve(records, points.size() + 3 * (records - points.size()));
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const PointId name = points.name(k);
-    list.append({0, 0}, std::span(&name, 1), 0);
-  }
-  std::vector<PointId> names;
+  // Where the records of each index or kind are in the list, and their contact sets.
+  std::array<std::size_t, kOrder.size() + 1> first_record{points.size()}, first_contact{points.size()};
   for (std::size_t slot = 0; slot < kOrder.size(); ++slot) {
-    for (const Record& record : in_order[slot]) {
-      names.clear();
-      for (const std::uint32_t ordinal : contact(record)) names.push_back(points.name(ordinal));
-      list.append(kOrder[slot], names, record.face);
-    }
+    first_record[slot + 1] = first_record[slot] + records_[slot].size();
+    first_contact[slot + 1] = first_contact[slot];
+    for (const Record& record : records_[slot]) first_contact[slot + 1] += record.size;
   }
+  StationaryPoints list;
+  list.index_.resize(first_record.back());
+  list.face_.resize(first_record.back());
+  list.first_.resize(first_record.back() + 1);
+  list.contact_.resize(first_contact.back());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    list.contact_[k] = points.name(k);
+    list.first_[k + 1] = k + 1;
+  }
+  geometry::parallel_for(kOrder.size(), threads, [&](std::size_t slot) {
+    if (records_[slot].empty()) return;
+    std::size_t at = first_record[slot], end = first_contact[slot];
+    for (const Record& record : sorted(records_[slot])) {
+      list.index_[at] = kOrder[slot];
+      list.face_[at] = record.face;
+      for (const std::uint32_t ordinal : contact(record)) list.contact_[end++] = points.name(ordinal);
+      list.first_[++at] = end;
+    }
+  });
+  list.critical_ = {points.size(), records_[0].size(), records_[1].size(), records_[2].size()};
+  list.regular_ = {records_[3].size(), records_[4].size(), records_[5].size()};
   return list;
 }
 

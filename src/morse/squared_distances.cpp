@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <boost/sort/spreadsort/integer_sort.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -14,9 +13,9 @@
 #include "flowcert/sphere.h"
 #include "geometry/filter_bounds.h"
 #include "geometry/floating_point.h"
-#include "geometry/parallel_for.h"
 #include "geometry/portions.h"
 #include "geometry/prefetch.h"
+#include "geometry/sort_in_parts.h"
 #include "geometry/value_range.h"
 #include "geometry/vector3.h"
 #include "morse/layer.h"
@@ -120,25 +119,6 @@ struct KeyedRecord {
     return {low, std::isfinite(high) && low > 1e-290 ? high : HUGE_VAL};
   }
 };
-bool is_less(const KeyedRecord& one, const KeyedRecord& other) { return one.key < other.key; }
-
-// Each thread sorts one part; then they are merged. Equal keys come in any order.
-void sort_in_parts(std::vector<KeyedRecord>& records, unsigned threads) {
-  const std::size_t part = std::max<std::size_t>((records.size() + threads - 1) / threads, 1);
-  const auto at = [&](std::size_t k) {
-    return records.begin() + static_cast<std::ptrdiff_t>(std::min(k * part, records.size()));
-  };
-  geometry::parallel_for(threads, threads, [&](std::size_t k) {
-    const auto shifted = [](const KeyedRecord& one, unsigned bits) { return one.key >> bits; };
-    boost::sort::spreadsort::integer_sort(at(k), at(k + 1), shifted, is_less);
-  });
-  for (std::size_t width = 1; width < threads; width *= 2) {
-    for (std::size_t k = 0; k < threads; k += 2 * width) {
-      std::inplace_merge(at(k), at(k + width), at(k + 2 * width), is_less);
-    }
-  }
-}
-
 // All but the first `samples` of them.
 std::vector<KeyedRecord> sorted_by_low_end(const std::vector<Approximation>& values, std::size_t samples,
                                            unsigned threads) {
@@ -147,7 +127,7 @@ std::vector<KeyedRecord> sorted_by_low_end(const std::vector<Approximation>& val
   for (std::size_t record = samples; record < values.size(); ++record) {
     keyed.emplace_back(values[record], static_cast<std::uint32_t>(record));
   }
-  sort_in_parts(keyed, threads);
+  geometry::sort_in_parts(keyed, threads, [](const KeyedRecord& one) { return one.key; });
   return keyed;
 }
 

@@ -162,7 +162,7 @@ void StableManifolds::Parts::compute(const Progress& progress) {
   first_regular = finder.range({3, 3}).second;
   sets.resize(critical_count + stationary.size() - first_regular);
   const std::vector<std::uint32_t> order =
-      along_the_curve(stationary, sets.size(), [this](std::uint32_t k) { return record_of(k); });
+      along_the_curve(stationary, sets.size(), [this](std::uint32_t k) { return record_of(k); }, options.threads);
   std::vector<std::unique_ptr<SkeletonWalk>> team;
   const unsigned threads = team_size(options, options.threads);
   team.reserve(threads);

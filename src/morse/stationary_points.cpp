@@ -312,29 +312,6 @@ long long StationaryPoints::euler_sum() const {
   return count(0) - count(1) + count(2) - count(3);
 }
 
-void StationaryPoints::reserve(std::size_t records, std::size_t contacts) {
-  index_.reserve(records);
-  first_.reserve(records + 1);
-  contact_.reserve(contacts);
-  face_.reserve(records);
-}
-
-void StationaryPoints::append(StationaryIndex index, std::span<const PointId> contact, std::uint32_t face) {
-  face_.push_back(face);
-  index_.push_back(index);
-  contact_.insert(contact_.end(), contact.begin(), contact.end());
-  first_.push_back(contact_.size());
-  if (index.is_critical()) {
-    ++critical_[index.face_dimension];
-  } else if (index == kKind12) {
-    ++regular_.kind12;
-  } else if (index == kKind23) {
-    ++regular_.kind23;
-  } else {
-    ++regular_.kind13;
-  }
-}
-
 StationaryPoints stationary_points(const VoronoiDiagram& voronoi, unsigned threads, const Progress& progress) {
   const geometry::IeeeDoubles ieee;
   const VoronoiDiagram& diagram = voronoi;

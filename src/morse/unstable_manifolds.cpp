@@ -278,7 +278,7 @@ void UnstableManifolds::Parts::compute(const Progress& progress) {
   critical_count = finder.range({3, 3}).second;
   limits.resize(last - first);
   const auto record_of = [first = first](std::uint32_t i) { return first + i; };
-  const std::vector<std::uint32_t> order = along_the_curve(stationary, limits.size(), record_of);
+  const std::vector<std::uint32_t> order = along_the_curve(stationary, limits.size(), record_of, options.threads);
   std::vector<std::unique_ptr<Worker>> team;
   const unsigned most = team_size(options, options.threads), threads = options.share ? most : 1;
   team.reserve(threads);

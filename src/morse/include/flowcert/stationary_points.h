@@ -60,10 +60,6 @@ class StationaryPoints {
 
  private:
   friend class morse::OrderedRecords;
-  // The caller keeps the order; contact is ascending.
-  void reserve(std::size_t records, std::size_t contacts);
-  void append(StationaryIndex index, std::span<const PointId> contact, std::uint32_t face);
-
   std::vector<StationaryIndex> index_;
   std::vector<std::size_t> first_{0};
   std::vector<PointId> contact_;
