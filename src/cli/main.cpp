@@ -2,9 +2,6 @@
 // and an exit status. Without a command it prints an overview on standard output. Nothing was judged then, so the
 // status is not that of a right answer, and a script whose command is missing does not go on.
 #include <fmt/format.h>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -114,19 +111,9 @@ int run(int argc, char** argv) {
   return finish_output(status);
 }
 
-// What one part of a complex gives back, the next one takes, and the system need not be asked. Larger arrays than these
-// are given back to the system at once.
-void keep_memory() {
-#ifdef __GLIBC__
-  mallopt(M_MMAP_THRESHOLD, 32 << 20);
-  mallopt(M_TRIM_THRESHOLD, 256 << 20);
-#endif
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  keep_memory();
   io::prepare_standard_streams();
   io::prepare_for_out_of_memory("flowcert");
   try {
