@@ -106,7 +106,7 @@ def main(arguments):
     parser.add_argument("directory", type=Path)
     parser.add_argument("inputs", nargs="*", default=SIZES)
     parser.add_argument("--runs", type=int, default=1)
-    chosen = parser.parse_args(arguments)
+    chosen = parser.parse_intermixed_args(arguments)
     chosen.directory.mkdir(parents=True, exist_ok=True)
     print_row(["input", "program", "seconds", "times ours", "peak memory [MB]", "pairs"])
     print_row(["---", "---", "---:", "---:", "---:", "---:"])
