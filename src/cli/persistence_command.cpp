@@ -131,29 +131,26 @@ void print_longest_pairs(const Input& input, const FlowComplex& complex) {
 
 // ---- What is computed ----
 
-// What the parts told that are forgotten before the pairs are made.
-struct Forgotten {
-  std::size_t cells = 0;
-  std::size_t surface_ties = 0;
-};
-
 struct Computed {
   Measured measured;
-  Forgotten before;
+  // Told by the parts that are forgotten before the pairs are made.
+  std::size_t cells = 0;
+  std::size_t surface_ties = 0;
 };
 
 // The pairs take as much memory as all before them, which a certificate alone needs afterwards.
 Computed compute_pairs(const Input& input, const PersistenceOptions& options) {
   using enum FlowComplexPart;
-  Forgotten before;
+  Computed computed;
   const PartMade made = [&](FlowComplex& complex, FlowComplexPart part) {
     if (part != kChains) return;
-    before = {complex.delaunay_cells(), complex.stable().statistics().broken_ties};
+    computed.cells = complex.delaunay_cells();
+    computed.surface_ties = complex.stable().statistics().broken_ties;
     if (options.certificate.empty()) complex.forget_diagram();
   };
-  Measured measured = measure(input.points, 1, complex_options(input, {.seed = options.seed}),
+  computed.measured = measure(input.points, 1, complex_options(input, {.seed = options.seed}),
                               {kUnstable, kStable, kChains, kPersistence}, made);
-  return {std::move(measured), before};
+  return computed;
 }
 
 // ---- What is printed ----
@@ -164,7 +161,7 @@ void print_choices(const char* name, std::size_t count, const char* remark) {
 }
 
 void print_table(const Input& input, const Computed& computed, bool with_zero) {
-  const auto& [measured, before] = computed;
+  const Measured& measured = computed.measured;
   const FlowComplex& complex = *measured.last;
   print_input(input);
   print_point_counts(input.points);
@@ -181,7 +178,7 @@ void print_table(const Input& input, const Computed& computed, bool with_zero) {
             with_zero ? "regular stationary points" : "regular; --zero writes them");
   print_choices("choices at ties, orbits", complex.chains().broken_ties(),
                 "at a saddle one of several ways on was taken; pairs do not depend on it");
-  print_choices("choices at ties, surfaces", before.surface_ties,
+  print_choices("choices at ties, surfaces", computed.surface_ties,
                 "one of several boundaries was taken; pairs do not depend on it");
   print_times(measured);
   print_time(measured, "all after the triangulation", measured.seconds_after_delaunay);
@@ -189,7 +186,7 @@ void print_table(const Input& input, const Computed& computed, bool with_zero) {
 }
 
 void print_json(const Input& input, const Computed& computed, const PersistenceDiagram& diagram, std::uint64_t seed) {
-  const auto& [measured, before] = computed;
+  const Measured& measured = computed.measured;
   const FlowComplex& complex = *measured.last;
   Json json = header_fields("flowcert-persistence", 1, input.points);
   add_counts(json, input.points, complex.stationary());
@@ -197,7 +194,7 @@ void print_json(const Input& input, const Computed& computed, const PersistenceD
   for (const PairCounts& count : counts_of(complex)) {
     counts.push_back({{"positive", count.positive}, {"zero", count.zero}, {"lasting", count.lasting}});
   }
-  json["ties_broken"] = {{"u2", complex.chains().broken_ties()}, {"s2", before.surface_ties}};
+  json["ties_broken"] = {{"u2", complex.chains().broken_ties()}, {"s2", computed.surface_ties}};
   json["seed"] = seed;
   add_times(json, measured);
   json["has_zero"] = diagram.has_zero();
@@ -247,7 +244,7 @@ void print_persistence(const PersistenceOptions& options) {
   const Input input = read_input(options);
   const Computed computed = compute_pairs(input, options);
   const FlowComplex& complex = *computed.measured.last;
-  tell_of_many_cells(computed.before.cells, input.points.size());
+  tell_of_many_cells(computed.cells, input.points.size());
   const auto diagram = with_progress("pairs", [&] { return PersistenceDiagram(complex, options.with_zero); });
   const bool is_streamed = options.output == kStandardStream;
   if (is_streamed) print_pairs(options, diagram);

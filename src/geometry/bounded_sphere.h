@@ -24,7 +24,7 @@ struct BoundedSphere {
 [[nodiscard]] BoundedSphere bounded_sphere(const PointSet& points, std::span<const PointId> contact,
                                            std::size_t hull_dimension);
 
-// Its squared radius alone, which takes less time. The bounds are others.
+// The squared radius of the same sphere, which takes less time than the sphere. Its bounds are others.
 [[nodiscard]] BoundedNumber bounded_squared_radius(std::span<const Point* const> points);
 [[nodiscard]] BoundedNumber bounded_squared_radius(const PointSet& points, std::span<const PointId> contact,
                                                    std::size_t hull_dimension);

@@ -8,8 +8,12 @@
 
 namespace flowcert::geometry {
 
-// Prefetched so many steps ahead, it mostly is there in time.
-inline constexpr std::size_t kPrefetchAhead = 32;
+// To be called at step k of a loop of `count` steps: calls prefetch(later) for the step whose memory should be on its
+// way by now, unless the loop ends before it.
+[[gnu::always_inline]] inline void prefetch_ahead(std::size_t k, std::size_t count, const auto& prefetch) {
+  constexpr std::size_t kAhead = 32;
+  if (k + kAhead < count) prefetch(k + kAhead);
+}
 
 // Calls use(item) for one item after the other, and before that, for a block of them, each of the others. One of these
 // prefetches what the next one reads, and the last one what `use` reads.

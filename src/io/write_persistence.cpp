@@ -41,8 +41,9 @@ void sort_pairs(const SquaredDistances& values, std::vector<PersistencePair>& pa
   std::vector<RankedPair> ranked;
   ranked.reserve(pairs.size());
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    if (k + geometry::kPrefetchAhead < pairs.size() && pairs[k + geometry::kPrefetchAhead].death)
-      values.prefetch(*pairs[k + geometry::kPrefetchAhead].death);
+    geometry::prefetch_ahead(k, pairs.size(), [&](std::size_t later) {
+      if (const auto& death = pairs[later].death) values.prefetch(*death);
+    });
     const PersistencePair& pair = pairs[k];
     const std::uint32_t death = pair.death ? values.rank(*pair.death) : kLast;
     ranked.push_back({std::uint64_t{values.rank(pair.birth)} << 32 | death, pair});
@@ -58,14 +59,14 @@ std::vector<double> rounded_values(const PersistenceDiagram& diagram, Persistenc
   std::vector<double> rounded(diagram.has_zero() ? stationary.size() : critical_count(stationary));
   constexpr std::size_t kPortion = geometry::portion_size(512);
   geometry::in_portions(diagram.complex().threads(), rounded.size(), kPortion, {}, [&](std::size_t, std::size_t k) {
-    if (k + geometry::kPrefetchAhead < rounded.size())
-      diagram.complex().points().prefetch(stationary.contact(k + geometry::kPrefetchAhead));
+    geometry::prefetch_ahead(
+        k, rounded.size(), [&](std::size_t later) { diagram.complex().points().prefetch(stationary.contact(later)); });
     rounded[k] = values == PersistenceValues::kSquared ? diagram.rounded_squared_value(k) : diagram.rounded_value(k);
   });
   return rounded;
 }
 
-// Each of these records is an end of a pair.
+// Every record that was rounded is an end of a pair.
 void require_doubles(const std::vector<double>& rounded) {
   if (std::ranges::all_of(rounded, [](double value) { return std::isfinite(value); })) return;
   throw InvalidInput(
@@ -113,15 +114,15 @@ void write_pers(std::ostream& out, const PersistenceDiagram& diagram, Persistenc
   out << (diagram.has_zero() ? "# With regular stationary points, as pairs of length zero.\n"
                              : "# Without pairs of length zero.\n");
   if (!is_squared) out << kPlainValuesMark << '\n';
-  const auto prefetch = [&](const PersistencePair& pair) {
+  const auto prefetch = [&](std::size_t place) {
+    const PersistencePair& pair = diagram.pairs()[place];
     __builtin_prefetch(&rounded[pair.birth]);
     if (pair.death) __builtin_prefetch(&rounded[*pair.death]);
   };
   const auto make = [&](std::size_t first, std::size_t last, std::string& lines) {
     const auto end = std::back_inserter(lines);
     for (std::size_t k = first; k < last; ++k) {
-      if (k + geometry::kPrefetchAhead < diagram.pairs().size())
-        prefetch(diagram.pairs()[k + geometry::kPrefetchAhead]);
+      geometry::prefetch_ahead(k, diagram.pairs().size(), prefetch);
       const PersistencePair& pair = diagram.pairs()[k];
       fmt::format_to(end, "{} {} ", pair.dimension, rounded[pair.birth]);
       pair.death ? fmt::format_to(end, "{}\n", rounded[*pair.death]) : fmt::format_to(end, "inf\n");

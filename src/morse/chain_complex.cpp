@@ -46,11 +46,11 @@ ChainComplex::ChainComplex(const PointSet& points, const StationaryPoints& stati
   for (std::size_t i = 0; i < limits_.size(); ++i) first_[saddles.first + i + 1] = stable.boundary(i).size();
   const auto for_each_side = [&](const auto& use) {
     for (std::size_t i = 0; i < limits_.size(); ++i) {
-      if (i + geometry::kPrefetchAhead < limits_.size()) {
-        for (const std::uint32_t limit : limits_[i + geometry::kPrefetchAhead]) {
+      geometry::prefetch_ahead(i, limits_.size(), [this](std::size_t later) {
+        for (const std::uint32_t limit : limits_[later]) {
           if (limit != kInfinity) prefetch(limit);
         }
-      }
+      });
       if (limits_[i][0] == limits_[i][1]) continue;
       for (const std::uint32_t limit : limits_[i]) {
         if (limit != kInfinity) use(limit, static_cast<std::uint32_t>(saddles.first + i));
@@ -68,9 +68,8 @@ ChainComplex::ChainComplex(const PointSet& points, const StationaryPoints& stati
     }
   }
   for (std::size_t i = 0; i < limits_.size(); ++i) {
-    if (i + geometry::kPrefetchAhead < limits_.size()) {
-      __builtin_prefetch(stable.boundary(i + geometry::kPrefetchAhead).data());
-    }
+    geometry::prefetch_ahead(i, limits_.size(),
+                             [&](std::size_t later) { __builtin_prefetch(stable.boundary(later).data()); });
     std::ranges::copy(stable.boundary(i), cells_.begin() + static_cast<std::ptrdiff_t>(first_[saddles.first + i]));
   }
   std::vector<std::size_t> next(first_.begin() + static_cast<std::ptrdiff_t>(maxima.first), first_.end());

@@ -24,7 +24,7 @@ void OrderedRecords::take(OrderedRecords other) {
   std::ranges::move(other.large_, std::back_inserter(large_));
   for (std::size_t slot = 0; slot < records_.size(); ++slot) {
     std::vector<Record>& added = other.records_[slot];
-    for (Record& record : first_large > 0 ? std::span(added) : std::span<Record>()) {
+    for (Record& record : added) {
       if (record.size > record.small.size()) record.small[1] += first_large;
     }
     if (records_[slot].empty()) {

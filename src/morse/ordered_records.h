@@ -45,7 +45,7 @@ class OrderedRecords {
     if (record.size > record.small.size()) return large_[record.small[1]];
     return std::span(record.small).first(record.size);
   }
-  // For two records with the same first point. The second and the third one mostly decide.
+  // Compares two records with the same first point. The second and the third one mostly decide.
   [[nodiscard]] bool is_less(const Record& a, const Record& b) const {
     const auto key = [](const Record& record) { return std::uint64_t{record.small[1]} << 32 | record.small[2]; };
     const bool are_small = std::max(a.size, b.size) <= a.small.size();

@@ -77,7 +77,7 @@ class Pairing {
   }
 
  private:
-  // Prefetches the boundary itself. What prefetches its place comes before this.
+  // Prefetches the boundary itself, by its place, which complex_.prefetch() prefetched before.
   void prefetch_boundary(Record record) const { __builtin_prefetch(complex_.boundary(record).data()); }
   int index_of(Record record) const {
     return static_cast<int>(std::ranges::upper_bound(first_, record) - first_.begin()) - 1;
@@ -141,11 +141,14 @@ class Pairing {
     std::vector<Record> columns;                                                 // one after the other
     std::vector<std::pair<std::size_t, std::size_t>> column_of(edge_at.size());  // by its last place: begin and end
     std::vector<Record> column, sum;
+    const auto for_each_place = [&](Record saddle, const auto& use) {
+      for (const Record edge : complex_.boundary(saddle)) {
+        if (const Record place = place_of[edge - first_[1]]; place != kNone) use(place);
+      }
+    };
     const auto reduce = [&](Record saddle) {
       column.clear();
-      for (const Record edge : complex_.boundary(saddle)) {
-        if (const Record place = place_of[edge - first_[1]]; place != kNone) column.push_back(place);
-      }
+      for_each_place(saddle, [&](Record place) { column.push_back(place); });
       std::sort(column.begin(), column.end());
       while (!column.empty() && column_of[column.back()].second > 0) {
         const auto [begin, end] = column_of[column.back()];
@@ -161,9 +164,7 @@ class Pairing {
     };
     const auto last_place = [&](Record saddle) {
       Record last = 0;
-      for (const Record edge : complex_.boundary(saddle)) {
-        if (const Record place = place_of[edge - first_[1]]; place != kNone) last = std::max(last, place);
-      }
+      for_each_place(saddle, [&](Record place) { last = std::max(last, place); });
       return last;
     };
     const auto prefetch_places = [&](Record saddle) {

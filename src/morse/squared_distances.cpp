@@ -119,7 +119,8 @@ struct KeyedRecord {
     return {low, std::isfinite(high) && low > 1e-290 ? high : HUGE_VAL};
   }
 };
-// All but the first `samples` of them.
+
+// The records behind the first `samples` ones, by the lower ends of their values.
 std::vector<KeyedRecord> sorted_by_low_end(const std::vector<Approximation>& values, std::size_t samples,
                                            unsigned threads) {
   std::vector<KeyedRecord> keyed;
@@ -167,8 +168,8 @@ SquaredDistances::SquaredDistances(const PointSet& points, const StationaryPoint
   approximate_.resize(stationary.size());
   constexpr std::size_t kPortion = geometry::portion_size(4096);
   geometry::in_portions(threads, stationary.size(), kPortion, {}, [&](std::size_t, std::size_t record) {
-    if (record + geometry::kPrefetchAhead < stationary.size())
-      points.prefetch(stationary.contact(record + geometry::kPrefetchAhead));
+    geometry::prefetch_ahead(record, stationary.size(),
+                             [&](std::size_t later) { points.prefetch(stationary.contact(later)); });
     const auto approximate = approximation_of(points, stationary.index(record), stationary.contact(record));
     approximate_[record] = approximate ? *approximate : rounded(exact(record));
   });

@@ -169,10 +169,10 @@ void StableManifolds::Parts::compute(const Progress& progress) {
   for (unsigned k = 0; k < threads; ++k) team.push_back(make_walk());
   shares.resize(team.size());
   geometry::in_portions(threads, order.size(), kProgressStep, progress, [&](std::size_t thread, std::size_t at) {
-    if (at + geometry::kPrefetchAhead < order.size()) {
-      stationary.prefetch(record_of(order[at + geometry::kPrefetchAhead]));
-      __builtin_prefetch(&sets[order[at + geometry::kPrefetchAhead]], 1);
-    }
+    geometry::prefetch_ahead(at, order.size(), [&](std::size_t later) {
+      stationary.prefetch(record_of(order[later]));
+      __builtin_prefetch(&sets[order[later]], 1);
+    });
     make_set(*team[thread], order[at], static_cast<std::uint32_t>(thread));
   });
   break_ties(*team.front());

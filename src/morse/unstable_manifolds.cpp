@@ -85,7 +85,7 @@ class UnstableManifolds::Parts::Worker {
     const Stretch& first = forest_.visit(first_vertex, *flow_);
     return count_orbit(&first, limit_at(forest_.end_of(first)));
   }
-  // For follow_in() of these first vertices.
+  // Prefetches what follow_in() reads of this worker's forest.
   void prefetch(std::span<const CellIndex> first_vertices) const {
     for (const CellIndex vertex : first_vertices) {
       if (vertex != kNoCell) forest_.prefetch_known(vertex);
@@ -97,7 +97,7 @@ class UnstableManifolds::Parts::Worker {
     const Stretch& first = other.forest_.visit_known(first_vertex);
     return count_orbit(&first, first.end == Stretch::kInfinity ? kInfinity : other.limit_at_end_[first.end]);
   }
-  // For follow_in() with this worker's forest.
+  // Finds the limits that follow_in() reads of this worker.
   void find_limits() {
     for (const ForestEnd& end : forest_.ends()) limit_at_end_.push_back(limit_at(end));
   }
@@ -286,8 +286,7 @@ void UnstableManifolds::Parts::compute(const Progress& progress) {
   constexpr std::size_t kPortion = geometry::portion_size(1024);
   std::vector<CellIndex> starts(2 * order.size());
   geometry::in_portions(threads, order.size(), kPortion, {}, [&](std::size_t thread, std::size_t k) {
-    if (k + geometry::kPrefetchAhead < order.size())
-      stationary.prefetch(first_saddle + order[k + geometry::kPrefetchAhead]);
+    geometry::prefetch_ahead(k, order.size(), [&](std::size_t at) { stationary.prefetch(first_saddle + order[at]); });
     const auto [one, other] = team[thread]->first_vertices(first_saddle + order[k]);
     starts[2 * k] = one;
     starts[2 * k + 1] = other;
@@ -297,8 +296,8 @@ void UnstableManifolds::Parts::compute(const Progress& progress) {
     leader.flow_from(starts, team, progress);
     leader.find_limits();
     geometry::in_portions(threads, order.size(), kPortion, {}, [&](std::size_t thread, std::size_t k) {
-      if (k + geometry::kPrefetchAhead < order.size())
-        leader.prefetch(std::span(starts).subspan(2 * (k + geometry::kPrefetchAhead), 2));
+      geometry::prefetch_ahead(k, order.size(),
+                               [&](std::size_t at) { leader.prefetch(std::span(starts).subspan(2 * at, 2)); });
       for (const std::size_t side : {0U, 1U}) {
         limits[order[k]][side] = team[thread]->follow_in(leader, starts[2 * k + side]);
       }

@@ -140,7 +140,7 @@ std::vector<PairEnds> perhaps_longest(const SquaredDistances& values, std::vecto
   std::vector<PairEnds> kept;
   const auto is_too_short = [&](double high) { return lows.size() == count && high < lows.top(); };
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    if (k + geometry::kPrefetchAhead < pairs.size()) values.prefetch(pairs[k + geometry::kPrefetchAhead].death);
+    geometry::prefetch_ahead(k, pairs.size(), [&](std::size_t later) { values.prefetch(pairs[later].death); });
     const auto [low, high] = length_range(values, pairs[k]);
     if (is_too_short(high)) continue;
     kept.push_back(pairs[k]);

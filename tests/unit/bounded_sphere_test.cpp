@@ -137,7 +137,7 @@ Rational derived_error(const std::vector<Point>& points, const ExactSphere& sphe
   return Rational(DoubleDouble::kRoundoff * na * nb * nc * (13.8 * (na + nb + nc) + 19.6 * radius) / (2 * volume));
 }
 
-// The same of the squared radius alone. A circle's numerator has none.
+// The rounding of the squared radius alone, to first order. That of a circle's numerator is left out.
 double derived_square_error(const std::vector<Point>& points, const ExactSphere& sphere) {
   const auto square = static_cast<double>(sphere.squared_radius);
   if (points.size() == 4) return 2 * static_cast<double>(derived_error(points, sphere)) * std::sqrt(square);
