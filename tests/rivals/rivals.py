@@ -286,11 +286,13 @@ def vector_rows(case):
 
 def print_table(head, rows):
     widths = [max(len(str(row[k])) for row in [head, *rows]) for k in range(len(head))]
+    # A table that is too wide has no blanks, and then no bars at its sides.
     blank = " " if sum(widths) + 3 * len(widths) < MOST_COLUMNS else ""
+    side = "|" if sum(widths) + len(widths) < MOST_COLUMNS else ""
     for row in [head, None, *rows]:
         cells = ["-" * width for width in widths] if row is None else [
             str(cell).ljust(width) for cell, width in zip(row, widths)]
-        print("|" + "|".join(f"{blank}{cell}{blank}" for cell in cells) + "|")
+        print(side + "|".join(f"{blank}{cell}{blank}" for cell in cells) + side)
     print()
 
 

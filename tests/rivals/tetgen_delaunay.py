@@ -19,8 +19,8 @@ def answer_of(_, rows):
         points = Path(folder) / "points.node"
         points.write_text(f"{len(rows)} 3 0 0\n" + "".join(
             "{} {!r} {!r} {!r}\n".format(k, *row) for k, row in enumerate(rows)))
-        # Quiet; no files of faces and of points; no second number in the name.
-        ended = subprocess.run(["tetgen", "-QFNI", points], capture_output=True, text=True,
+        # Quiet; no files of faces and of points; no second number in the name; points keep their numbers.
+        ended = subprocess.run(["tetgen", "-QFNIJ", points], capture_output=True, text=True,
                                timeout=MOST_SECONDS, check=False)
         if ended.returncode < 0:
             os.kill(os.getpid(), -ended.returncode)

@@ -26,8 +26,8 @@ def place(outcome):
 
 
 def short(system):
-    """`Debian GNU/Linux 12 (bookworm)` is bookworm."""
-    return system.partition("(")[2].partition("/")[0].rstrip(")") or system
+    """`Debian GNU/Linux 12 (bookworm)` is bookworm, and `Debian GNU/Linux forky/sid` sid."""
+    return system.partition("(")[2].partition("/")[0].rstrip(")") or system.rpartition("/")[2]
 
 
 def print_packages(records):
@@ -80,7 +80,7 @@ def report(records):
 
 def self_test():
     assert short("Debian GNU/Linux 12 (bookworm)") == "bookworm" and short("Debian GNU/Linux forky/sid") == \
-        "Debian GNU/Linux forky/sid" and short("Debian GNU/Linux trixie (trixie/sid)") == "trixie"
+        "sid" and short("Debian GNU/Linux trixie (trixie/sid)") == "trixie"
     assert place("right") < place("not claimed") < place("refused") < place("wrong") < place("crashed") < place("new")
     assert changes({"a": "right", "b": "wrong", "c": "wrong"}, {"a": "right", "b": "right", "d": "wrong"}) == {
         ("wrong", "right"): ["b"]}
