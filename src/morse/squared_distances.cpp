@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "flowcert/sphere.h"
+#include "geometry/congruence_key.h"
 #include "geometry/filter_bounds.h"
 #include "geometry/floating_point.h"
 #include "geometry/portions.h"
@@ -132,6 +133,71 @@ std::vector<KeyedRecord> sorted_by_low_end(const std::vector<Approximation>& val
   return keyed;
 }
 
+// Sorts records whose bounds overlap. Of those that are congruent, one alone has its exact value made.
+class OverlapSorter {
+ public:
+  OverlapSorter(const PointSet& points, const StationaryPoints& stationary)
+      : points_(points), stationary_(stationary) {}
+
+  // By value, and then by number. rank is that of the least value, and then the next one.
+  void sort(std::span<std::uint32_t> records, std::uint32_t& rank, std::vector<std::uint32_t>& rank_of) {
+    find_congruent(records);
+    std::vector<std::size_t> by_value(values_.size());
+    std::iota(by_value.begin(), by_value.end(), std::size_t{0});
+    std::ranges::sort(by_value, {}, [this](std::size_t k) -> const Rational& { return values_[k].value; });
+    auto next = records.begin();
+    for (std::size_t k = 0; k < by_value.size();) {
+      const auto first = next;
+      const Rational& value = values_[by_value[k]].value;
+      for (; k < by_value.size() && values_[by_value[k]].value == value; ++k) {
+        for (const Alike& one : values_[by_value[k]].records) {
+          rank_of[one.record] = rank;
+          *next++ = one.record;
+        }
+      }
+      std::sort(first, next);
+      ++rank;
+    }
+  }
+
+ private:
+  struct Alike {
+    std::optional<geometry::CongruenceKey> key;
+    std::uint32_t record;
+  };
+  struct Value {
+    Rational value;
+    std::span<const Alike> records;
+  };
+
+  void find_congruent(std::span<const std::uint32_t> records) {
+    alike_.clear();
+    values_.clear();
+    for (const std::uint32_t record : records) alike_.push_back({key_of(record), record});
+    std::ranges::sort(alike_, {}, &Alike::key);
+    for (std::size_t first = 0, last = 0; first < alike_.size(); first = last) {
+      const auto& key = alike_[first].key;
+      for (last = first + 1; key && last < alike_.size() && alike_[last].key == key;) ++last;
+      values_.push_back({exact_squared_radius(points_, stationary_.contact(alike_[first].record)),
+                         std::span<const Alike>(alike_).subspan(first, last - first)});
+    }
+  }
+
+  // Any three points of a circle determine it.
+  [[nodiscard]] std::optional<geometry::CongruenceKey> key_of(std::uint32_t record) const {
+    const std::size_t dimension = stationary_.index(record).hull_dimension;
+    if (dimension != 1 && dimension != 2) return std::nullopt;
+    std::array<const Point*, 3> points{};
+    for (std::size_t k = 0; k <= dimension; ++k) points[k] = &points_.at_row(stationary_.contact(record)[k]);
+    return geometry::congruence_key(std::span(points).first(dimension + 1));
+  }
+
+  const PointSet& points_;
+  const StationaryPoints& stationary_;
+  std::vector<Alike> alike_;
+  std::vector<Value> values_;
+};
+
 }  // namespace
 
 Rational SquaredDistances::exact(std::size_t record) const {
@@ -179,23 +245,15 @@ SquaredDistances::SquaredDistances(const PointSet& points, const StationaryPoint
   const auto others = std::span(ascending_).subspan(samples);
   const std::vector<KeyedRecord> keyed = sorted_by_low_end(approximate_, samples, threads);
   std::ranges::transform(keyed, others.begin(), &KeyedRecord::record);
-  std::vector<std::pair<Rational, std::uint32_t>> close;
+  OverlapSorter overlap(points, stationary);
   std::uint32_t rank = 1;
   const auto range = [](const KeyedRecord& one) { return one.range(); };
   for_each_overlap(std::span<const KeyedRecord>(keyed), range, [&](std::size_t first, std::size_t last) {
     if (last == first + 1) {
       rank_[others[first]] = rank++;
-      return;
+    } else {
+      overlap.sort(others.subspan(first, last - first), rank, rank_);
     }
-    close.clear();
-    for (std::size_t k = first; k < last; ++k) close.emplace_back(exact(others[k]), others[k]);
-    std::ranges::sort(close);
-    for (std::size_t k = 0; k < close.size(); ++k) {
-      if (k > 0 && close[k].first != close[k - 1].first) ++rank;
-      others[first + k] = close[k].second;
-      rank_[close[k].second] = rank;
-    }
-    ++rank;
   });
 }
 

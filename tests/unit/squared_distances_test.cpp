@@ -131,6 +131,16 @@ TEST(SquaredDistances, BoundsHoldWhereErrorsAddUp) {
   }
 }
 
+// The differences of coordinates of both short edges are 1 as doubles, and one of them is less by 2^-60.
+TEST(SquaredDistances, EdgesThatAreCongruentInDoublesAreToldApart) {
+  CITES("FC-PERS-01", "FC-NUM-01");
+  const FlowComplex complex(
+      PointSet(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0x1p-60, 100, 0}, {1, 100, 0}, {0, 200, 0}, {1, 200, 0}}));
+  Seen seen;
+  expect_right(complex, seen);
+  EXPECT_GT(seen.equal, 0U);
+}
+
 // Two edges whose lengths differ by less than a double of their squares can tell.
 TEST(SquaredDistances, NearlyEqualValuesAreToldApart) {
   CITES("FC-PERS-01", "FC-NUM-01");
