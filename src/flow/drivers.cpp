@@ -8,6 +8,7 @@
 
 #include "geometry/contract.h"
 #include "geometry/predicates.h"
+#include "voronoi/around_edge.h"
 
 namespace flowcert::flow {
 
@@ -148,6 +149,33 @@ Sign angle_of(const VoronoiDiagram& diagram, FacetName facet, const RingPiece& p
 }
 
 }  // namespace
+
+// Edges of the near side follow one another, and the walk begins beside one of the far side. So the first one that it
+// meets is alone iff the next one is not obtuse.
+std::optional<NearEdge> only_near_edge(const VoronoiDiagram& diagram, FacetName facet, PolygonRef from) {
+  const VoronoiComplex& complex = diagram.complex();
+  const CompactDelaunay& delaunay = diagram.delaunay();
+  if (!complex.is_alone(from.cell)) return std::nullopt;
+  std::optional<NearEdge> found;
+  AroundEdge at = around_edge(delaunay, facet, from.cell);
+  do {
+    const AroundEdge next = next_around(complex, at);
+    const bool here = delaunay.is_finite(at.cell), there = delaunay.is_finite(next.cell);
+    if (there && !complex.is_alone(next.cell)) return std::nullopt;
+    // Between two infinite cells there is no Voronoi edge.
+    const bool is_obtuse = here    ? complex.signs(at.cell).angle(at.behind, at.apex) == Sign::kNegative
+                           : there ? complex.signs(next.cell).angle(next.apex, next.behind) == Sign::kNegative
+                                   : false;
+    if (is_obtuse) {
+      if (found) return std::nullopt;
+      found = {diagram.polygon({at.cell, at.behind}), delaunay.vertices(at.cell)[at.apex]};
+    } else if (found) {
+      return found;
+    }
+    at = next;
+  } while (at.cell != from.cell);
+  return found;
+}
 
 ObtuseChain obtuse_chain(const VoronoiDiagram& diagram, const FacetRing& ring) {
   const std::size_t n = ring.pieces.size();

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "flow/layer.h"
@@ -63,6 +64,15 @@ struct ObtuseChain {
   // If none is obtuse: the last piece with a right angle, in the ring's order, and how many there are.
   std::uint32_t right = 0, right_count = 0;
 };
+
+// The one edge of a facet's near side.
+struct NearEdge {
+  PolygonRef polygon;
+  VertexIndex apex;  // a sample of the polygon other than the facet's two
+};
+// Dimension 3 only. Walks around the facet's Delaunay edge from a polygon with an acute angle there, and lays out no
+// ring. Nothing where the near side has no edge or several, or where cells on the way are not alone in their clusters.
+[[nodiscard]] std::optional<NearEdge> only_near_edge(const VoronoiDiagram& diagram, FacetName facet, PolygonRef from);
 
 // O(n) for n pieces.
 [[nodiscard]] ObtuseChain obtuse_chain(const VoronoiDiagram& diagram, const FacetRing& ring);

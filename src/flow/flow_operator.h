@@ -92,9 +92,10 @@ class FlowOperator {
   // Where the Voronoi edge of a polygon ends, on side 0 or 1.
   [[nodiscard]] virtual Location end_of_edge(PolygonRef polygon, std::size_t side) = 0;
 
-  // Against the flow. If a facet has one back for all fronts, the front's point is not needed (kNoPoint). A facet
-  // with its midpoint inside has one back, and so have most others.
-  [[nodiscard]] virtual bool has_one_back(FacetName facet, CellIndex hint) = 0;
+  // Against the flow. The back of a facet that has one for all fronts, so that no front's point is needed. A facet with
+  // its midpoint inside has one back, and so have most others. The face is that of a front.
+  [[nodiscard]] virtual std::optional<BackwardStep> one_back(const Place& front, FacetName facet, CellIndex hint) = 0;
+  // Of a facet that has several.
   [[nodiscard]] virtual BackwardStep step_back(const Location& front, FacetName facet, CellIndex hint) = 0;
   // Constructs the back inside a Voronoi edge.
   [[nodiscard]] virtual PointNumber cross_back(const Location& front, FacetName facet, VertexIndex apex) = 0;

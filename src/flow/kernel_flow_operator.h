@@ -100,7 +100,15 @@ class KernelFlowOperator final : public FlowOperator {
     return cluster == kNoCell ? Location{} : Location{Place::at_vertex(cluster), kNoPoint};
   }
 
-  bool has_one_back(FacetName facet, CellIndex hint) override { return chain_of(faces_.ring(facet, hint)).count <= 1; }
+  std::optional<BackwardStep> one_back(const Place& front, FacetName facet, CellIndex hint) override {
+    if (front.kind == Place::Kind::kEdge && diagram_.spatial() != nullptr) {
+      if (const auto near = only_near_edge(diagram_, facet, front.edge)) return edge_step(near->polygon, near->apex);
+    }
+    const FacetRing ring = faces_.ring(facet, hint);
+    const ObtuseChain chain = chain_of(ring);
+    if (chain.count > 1) return std::nullopt;
+    return chain.count == 0 ? midpoint_step(ring, chain) : edge_step(ring.pieces[chain.first]);
+  }
 
   // In the ring's order, the inner vertices of the near side lie first counterclockwise of the ray from the midpoint
   // to the front, then clockwise of it.
@@ -108,8 +116,7 @@ class KernelFlowOperator final : public FlowOperator {
     const FacetRing ring = faces_.ring(facet, hint);
     const ObtuseChain chain = chain_of(ring);
     const std::size_t n = ring.size();
-    if (chain.count == 0) return midpoint_step(ring, chain);
-    if (chain.count == 1) return edge_step(ring.pieces[chain.first]);
+    FLOWCERT_REQUIRES(chain.count > 1);
     std::size_t low = 0, high = chain.count - 1;
     MovingPoint x = moving_point(number_of(front), ring);
     const RaySides<Kernel, const Centers> sides(kernel_, centers_, ring, x);
@@ -212,7 +219,8 @@ class KernelFlowOperator final : public FlowOperator {
     return chains_[number];
   }
 
-  static BackwardStep edge_step(const RingPiece& piece) { return {Place::on_edge(piece.polygon()), false, piece.apex}; }
+  static BackwardStep edge_step(PolygonRef polygon, VertexIndex apex) { return {Place::on_edge(polygon), false, apex}; }
+  static BackwardStep edge_step(const RingPiece& piece) { return edge_step(piece.polygon(), piece.apex); }
   static BackwardStep midpoint_step(const FacetRing& ring, const ObtuseChain& chain) {
     Place back = Place::on_facet(ring.facet);
     if (chain.right_count == 1) back = Place::on_edge(ring.pieces[chain.right].polygon());

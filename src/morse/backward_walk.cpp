@@ -59,9 +59,8 @@ BackwardWalk::Back BackwardWalk::step(FrontNumber front, FacetName facet) {
   if (is_at_infinity(front)) front = on_ray(front, facet);
   const Place& from = fronts_[front].place;
   const CellIndex hint = from.kind == Place::Kind::kVertex ? from.vertex : from.edge.cell;
-  const bool needs_point = !flow_.has_one_back(facet, hint);
-  const Location at = needs_point ? location(front) : Location{from, kNoPoint};
-  const BackwardStep step = flow_.step_back(at, facet, hint);
+  const std::optional<BackwardStep> one = flow_.one_back(from, facet, hint);
+  const BackwardStep step = one ? *one : flow_.step_back(location(front), facet, hint);
   Front back{.place = step.back, .facet = facet};
   back.depth = fronts_[front].depth + 1;
   if (step.is_midpoint) {

@@ -2,7 +2,7 @@
 // the chain complex are both made of such walks.
 //
 // Guarantees: exact (FlowOperator). A front's point is constructed when the first facet asks where its ray ends; most
-// facets do not ask (FlowOperator::has_one_back).
+// facets do not ask (FlowOperator::one_back).
 #pragma once
 
 #include <array>

@@ -6,6 +6,7 @@
 
 #include "geometry/contract.h"
 #include "geometry/nearest_samples.h"
+#include "voronoi/around_edge.h"
 
 namespace flowcert::voronoi {
 
@@ -58,50 +59,29 @@ void VoronoiFaces::add_piece(CellIndex vertex_before, PolygonRef polygon, Vertex
   pieces_.push_back({apex, vertex_before, polygon.packed()});
 }
 
-// Goes around v0 v1, counterclockwise seen from v1. In a positively oriented cell v0 v1 k l it goes from the facet
-// that has k to the one that has l. A facet inside a cluster, or between two infinite cells, bounds nothing.
+// A facet inside a cluster, or between two infinite cells, bounds nothing.
 void VoronoiFaces::add_spatial_pieces(FacetName facet, CellIndex start, RingNumber id) {
   const CompactDelaunay& delaunay = diagram_.delaunay();
   const VoronoiComplex& complex = diagram_.complex();
-  const auto& v = delaunay.vertices(start);
-  const unsigned i0 = place_among(v, facet.v0), i1 = place_among(v, facet.v1);
-  // v0 v1 k l is positive iff v0 v1 l is the outward order of the facet opposite k.
-  unsigned k = 0, l = 0;
-  for (k = 0; k < 4; ++k) {
-    if (k == i0 || k == i1) continue;
-    l = 6 - i0 - i1 - k;
-    const auto& order = kOutward[k];
-    const auto at = static_cast<unsigned>(std::find(order, order + 3, l) - order);
-    if (order[(at + 1) % 3] == i0) break;
-  }
-  // Where the four samples are in the cell: v0, v1, the one behind which the next cell lies, and the apex.
-  struct Places {
-    unsigned v0, v1, behind, apex;
-  };
   const bool is_plain = complex.is_plain();
-  CellIndex cell = start;
-  bool here = delaunay.is_finite(cell);
-  Places at{i0, i1, k, l};
+  bool here = delaunay.is_finite(start);
+  AroundEdge at = around_edge(delaunay, facet, start);
   do {
-    const auto& [vertices, neighbors] = delaunay.cells[cell];
-    const VertexIndex apex = vertices[at.apex];
-    const CellIndex next = neighbors[at.behind];
-    const PlacesBeyond beyond = complex.places_beyond({cell, at.behind});
-    const Places at_next{beyond[at.v0], beyond[at.v1], beyond[at.apex], beyond[at.behind]};
-    __builtin_prefetch(&delaunay.cells[delaunay.cells[next].neighbors[at_next.behind]]);
-    const bool there = delaunay.is_finite(next);
+    const CellIndex cell = at.cell;
+    const VertexIndex apex = delaunay.vertices(cell)[at.apex];
+    const AroundEdge next = next_around(complex, at);
+    const bool there = delaunay.is_finite(next.cell);
     if (here) number_at_[cell][kEdgeBetween[at.v0][at.v1]] = id;
     if (here && there && is_plain) {
       // No face is merged, so that the faces are those of the triangulation.
       pieces_.push_back(
-          {apex, cell, (next < cell ? PolygonRef{next, at_next.apex} : PolygonRef{cell, at.behind}).packed()});
-    } else if ((here || there) && !(here && there && complex.cluster(cell) == complex.cluster(next))) {
+          {apex, cell, (next.cell < cell ? PolygonRef{next.cell, next.apex} : PolygonRef{cell, at.behind}).packed()});
+    } else if ((here || there) && !(here && there && complex.cluster(cell) == complex.cluster(next.cell))) {
       add_piece(here ? complex.cluster(cell) : kNoCell, diagram_.polygon({cell, at.behind}), apex);
     }
-    at = at_next;
+    at = next;
     here = there;
-    cell = next;
-  } while (cell != start);
+  } while (at.cell != start);
 }
 
 // The facet is a slab between two lines, or a half plane beside one. Each line comes from infinity and goes there.
