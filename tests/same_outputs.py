@@ -42,7 +42,7 @@ TIMES = (
     rb'("(?:seconds|ratio_to_delaunay)":)(?:null|\{[^}]*\})',
     rb'("peak_memory_bytes":)[0-9]+',
     rb"(?m)^(Delaunay triangulation|critical points|unstable manifolds U2|stable manifolds S2|limits of all directions|"
-    rb"volumes|chain complex and pairs|pockets after it|all after the triangulation)"
+    rb"volumes|(?:chain complex and )?pairs|pockets after it|all after the triangulation)"
     rb" +[0-9.]+ (?:ms|s)(?: +[0-9.]+ x the triangulation)?$",
     rb"(?m)^(peak memory) [^\n]*$",
     rb'("(?:seconds|cases_per_second|cases_per_second_of_one_job)": )[0-9.e+-]+',

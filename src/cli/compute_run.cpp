@@ -32,7 +32,7 @@ constexpr NamedPart kParts[] = {{FlowComplexPart::kStationary, "critical", "crit
                                 {FlowComplexPart::kStable, "s2", "stable manifolds S2"},
                                 {FlowComplexPart::kLimits, "limits", "limits of all directions"},
                                 {FlowComplexPart::kVolumes, "volumes", "volumes"},
-                                {FlowComplexPart::kPersistence, "pairs", "chain complex and pairs"}};
+                                {FlowComplexPart::kPersistence, "pairs", "pairs"}};
 
 }  // namespace
 
@@ -58,7 +58,8 @@ Measured measure(const PointSet& points, unsigned runs, const FlowOptions& optio
     for (const FlowComplexPart part : parts) after_delaunay.back() += seconds_to_make(part);
   }
   for (const auto& [part, seconds] : times) {
-    result.seconds[part == FlowComplexPart::kChains ? FlowComplexPart::kPersistence : part] += median(seconds);
+    const bool is_for_pairs = part == FlowComplexPart::kChains || part == FlowComplexPart::kLinks;
+    result.seconds[is_for_pairs ? FlowComplexPart::kPersistence : part] += median(seconds);
   }
   result.seconds_after_delaunay = median(after_delaunay);
   result.has_ratios = points.size() >= 4 && result.seconds.at(FlowComplexPart::kTriangulation) > 0;

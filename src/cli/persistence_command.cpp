@@ -135,30 +135,28 @@ struct Computed {
   Measured measured;
   // Told by the parts that are forgotten before the pairs are made.
   std::size_t cells = 0;
-  std::size_t surface_ties = 0;
+  std::size_t surface_ties = 0, orbit_ties = 0;
 };
 
-// The pairs take as much memory as all before them, which a certificate alone needs afterwards.
+// The pairs take as much memory as all before them, which a certificate alone needs afterwards. They need no U2. The
+// object tells of it, and its ties.
 Computed compute_pairs(const Input& input, const PersistenceOptions& options) {
   using enum FlowComplexPart;
   Computed computed;
   const PartMade made = [&](FlowComplex& complex, FlowComplexPart part) {
-    if (part != kChains) return;
+    if (part == kChains) computed.orbit_ties = complex.chains().broken_ties();
+    if (part != kLinks) return;
     computed.cells = complex.delaunay_cells();
     computed.surface_ties = complex.stable().statistics().broken_ties;
     if (options.certificate.empty()) complex.forget_diagram();
   };
-  computed.measured = measure(input.points, 1, complex_options(input, {.seed = options.seed}),
-                              {kUnstable, kStable, kChains, kPersistence}, made);
+  std::vector<FlowComplexPart> parts{kStable, kLinks, kPersistence};
+  if (options.json) parts.insert(parts.begin(), {kUnstable, kStable, kChains});
+  computed.measured = measure(input.points, 1, complex_options(input, {.seed = options.seed}), parts, made);
   return computed;
 }
 
 // ---- What is printed ----
-
-// Most inputs have no tie.
-void print_choices(const char* name, std::size_t count, const char* remark) {
-  if (count > 0) print_row(name, with_commas(count), remark);
-}
 
 void print_table(const Input& input, const Computed& computed, bool with_zero) {
   const Measured& measured = computed.measured;
@@ -176,10 +174,10 @@ void print_table(const Input& input, const Computed& computed, bool with_zero) {
   }
   print_row("pairs of length zero", with_commas(zero),
             with_zero ? "regular stationary points" : "regular; --zero writes them");
-  print_choices("choices at ties, orbits", complex.chains().broken_ties(),
-                "at a saddle one of several ways on was taken; pairs do not depend on it");
-  print_choices("choices at ties, surfaces", computed.surface_ties,
-                "one of several boundaries was taken; pairs do not depend on it");
+  if (computed.surface_ties > 0) {
+    print_row("choices at ties, surfaces", with_commas(computed.surface_ties),
+              "one of several boundaries was taken; pairs do not depend on it");
+  }
   print_times(measured);
   print_time(measured, "all after the triangulation", measured.seconds_after_delaunay);
   print_longest_pairs(input, complex);
@@ -194,7 +192,7 @@ void print_json(const Input& input, const Computed& computed, const PersistenceD
   for (const PairCounts& count : counts_of(complex)) {
     counts.push_back({{"positive", count.positive}, {"zero", count.zero}, {"lasting", count.lasting}});
   }
-  json["ties_broken"] = {{"u2", complex.chains().broken_ties()}, {"s2", computed.surface_ties}};
+  json["ties_broken"] = {{"u2", computed.orbit_ties}, {"s2", computed.surface_ties}};
   json["seed"] = seed;
   add_times(json, measured);
   json["has_zero"] = diagram.has_zero();

@@ -84,17 +84,11 @@ class PartProgress {
 
  private:
   static std::string name_of(FlowComplexPart part) {
-    constexpr std::array<const char*, kFlowComplexParts> kNames = {"Delaunay triangulation",
-                                                                   "critical points",
-                                                                   "critical points",
-                                                                   "unstable manifolds",
-                                                                   "stable manifolds",
-                                                                   "chain complex",
-                                                                   "persistence",
-                                                                   "limits of all directions",
-                                                                   "volumes",
-                                                                   "unstable sets of dimension 2",
-                                                                   "merge trees"};
+    constexpr auto kNames = std::to_array<const char*>({"Delaunay triangulation", "critical points", "critical points",
+                                                        "unstable manifolds", "stable manifolds", "chain complex",
+                                                        "links of saddles", "persistence", "limits of all directions",
+                                                        "volumes", "unstable sets of dimension 2", "merge trees"});
+    static_assert(kNames.size() == kFlowComplexParts);
     return kNames.at(static_cast<std::size_t>(part));
   }
 

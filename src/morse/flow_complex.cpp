@@ -76,8 +76,8 @@ struct FlowComplex::Parts {
   // In the order of FlowComplexPart. The triangulation is there until the diagram is made.
   std::tuple<std::optional<Delaunay>, std::optional<VoronoiDiagram>, std::optional<StationaryPoints>,
              std::optional<UnstableManifolds>, std::optional<StableManifolds>, std::optional<ChainComplex>,
-             std::optional<Persistence>, std::optional<FlowLimits>, std::optional<StableVolumes>,
-             std::optional<UnstableSurfaces>, std::optional<MergeTrees>>
+             std::optional<SaddleLinks>, std::optional<Persistence>, std::optional<FlowLimits>,
+             std::optional<StableVolumes>, std::optional<UnstableSurfaces>, std::optional<MergeTrees>>
       all_made;
 
   // All locators are copies of one, which share what does not change.
@@ -137,10 +137,15 @@ void FlowComplex::make(FlowComplexPart part) const {
       if (progress) progress(0, 1);
       all.get<kChains>().emplace(all.points, stationary(), unstable(), stable(), all.options.seed);
       break;
-    case kPersistence:
-      make(kChains);
+    case kLinks:
+      make(kStable);
       if (progress) progress(0, 1);
-      all.get<kPersistence>().emplace(all.points, stationary(), chains(), all.options.threads);
+      all.get<kLinks>().emplace(diagram(), stationary(), stable(), all.options.threads);
+      break;
+    case kPersistence:
+      make(kLinks);
+      if (progress) progress(0, 1);
+      all.get<kPersistence>().emplace(all.points, stationary(), links(), all.options.threads);
       break;
     case kLimits:
       all.get<kLimits>().emplace(diagram(), stationary(), all.options, progress);
@@ -208,6 +213,7 @@ const StationaryPoints& FlowComplex::stationary() const { return made<kStationar
 const UnstableManifolds& FlowComplex::unstable() const { return made<kUnstable>(*this, parts_); }
 const StableManifolds& FlowComplex::stable() const { return made<kStable>(*this, parts_); }
 const ChainComplex& FlowComplex::chains() const { return made<kChains>(*this, parts_); }
+const SaddleLinks& FlowComplex::links() const { return made<kLinks>(*this, parts_); }
 const Persistence& FlowComplex::persistence() const { return made<kPersistence>(*this, parts_); }
 const FlowLimits& FlowComplex::limits() const { return made<kLimits>(*this, parts_); }
 const StableVolumes& FlowComplex::volumes() const { return made<kVolumes>(*this, parts_); }

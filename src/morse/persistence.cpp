@@ -48,8 +48,9 @@ class Components {
 
 class Pairing {
  public:
-  Pairing(const StationaryPoints& stationary, const ChainComplex& complex, const SquaredDistances& values)
-      : complex_(complex), partner_(stationary.size(), kNone) {
+  Pairing(const PointSet& points, const StationaryPoints& stationary, const SaddleLinks& links,
+          const SquaredDistances& values)
+      : points_(points), stationary_(stationary), links_(links), partner_(stationary.size(), kNone) {
     std::size_t first = 0;
     for (std::size_t index = 0; index < 4; ++index) {
       first_[index] = static_cast<Record>(first);
@@ -77,8 +78,8 @@ class Pairing {
   }
 
  private:
-  // Prefetches the boundary itself, by its place, which complex_.prefetch() prefetched before.
-  void prefetch_boundary(Record record) const { __builtin_prefetch(complex_.boundary(record).data()); }
+  [[nodiscard]] std::span<const Record> lower(Record saddle) const { return links_.lower(saddle - first_[2]); }
+  [[nodiscard]] const std::array<Record, 2>& upper(Record saddle) const { return links_.upper(saddle - first_[2]); }
   int index_of(Record record) const {
     return static_cast<int>(std::ranges::upper_bound(first_, record) - first_.begin()) - 1;
   }
@@ -89,17 +90,26 @@ class Pairing {
 
   // All samples are born at 0; the one listed later dies.
   void pair_components() {
+    // Critical points of index 0 are listed by name, as the ordinals of the point set are.
+    std::vector<std::array<Record, 2>> samples(ascending_[1].size());
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      const auto contact = stationary_.contact(first_[1] + k);
+      for (const std::size_t end : {0U, 1U}) {
+        samples[k][end] = static_cast<Record>(points_.ordinal_of_row(contact[end]));
+      }
+    }
     Components components(ascending_[0].size());
+    const auto samples_of = [&](Record edge) { return &samples[edge - first_[1]]; };
     const auto merge = [&](Record edge) {
-      const auto ends = complex_.boundary(edge);
-      if (const auto dies = components.merge(ends[0], ends[1])) add(*dies, edge);
+      const auto [one, other] = *samples_of(edge);
+      if (const auto dies = components.merge(one, other)) add(*dies, edge);
     };
-    const auto prefetch_ends = [&](Record edge) {
-      for (const Record end : complex_.boundary(edge)) components.prefetch(end);
+    const auto prefetch_components = [&](Record edge) {
+      for (const Record sample : *samples_of(edge)) components.prefetch(sample);
     };
     geometry::in_blocks(
-        std::span<const Record>(ascending_[1]), merge, [&](Record edge) { complex_.prefetch(edge); },
-        [&](Record edge) { prefetch_boundary(edge); }, prefetch_ends);
+        std::span<const Record>(ascending_[1]), merge, [&](Record edge) { __builtin_prefetch(samples_of(edge)); },
+        prefetch_components);
   }
 
   // Going down in value, two voids come together at the index-2 point that separates them. That point is
@@ -108,24 +118,25 @@ class Pairing {
     const std::vector<Record>& maxima = ascending_[3];
     std::vector<Record> age(maxima.size());
     for (Record k = 0; k < maxima.size(); ++k) age[maxima[k] - first_[3]] = static_cast<Record>(maxima.size()) - k;
-    const auto age_of = [&](Record limit) { return limit == ChainComplex::kInfinity ? 0 : age[limit - first_[3]]; };
+    const auto age_of = [&](Record maximum) {
+      return maximum == SaddleLinks::kInfinity ? 0 : age[maximum - first_[3]];
+    };
     Components voids(maxima.size() + 1);
-    const auto limits_of = [&](Record saddle) { return &complex_.limits()[saddle - first_[2]]; };
     const auto merge = [&](Record saddle) {
-      const auto& [one, other] = *limits_of(saddle);
+      const auto& [one, other] = upper(saddle);
       if (const auto dies = voids.merge(age_of(one), age_of(other))) add(saddle, maxima[maxima.size() - *dies]);
     };
     const auto prefetch_ages = [&](Record saddle) {
-      for (const Record limit : *limits_of(saddle)) {
-        if (limit != ChainComplex::kInfinity) __builtin_prefetch(&age[limit - first_[3]]);
+      for (const Record maximum : upper(saddle)) {
+        if (maximum != SaddleLinks::kInfinity) __builtin_prefetch(&age[maximum - first_[3]]);
       }
     };
     const auto prefetch_voids = [&](Record saddle) {
-      for (const Record limit : *limits_of(saddle)) voids.prefetch(age_of(limit));
+      for (const Record maximum : upper(saddle)) voids.prefetch(age_of(maximum));
     };
     const std::vector<Record> descending(ascending_[2].rbegin(), ascending_[2].rend());
     geometry::in_blocks(
-        std::span(descending), merge, [&](Record saddle) { __builtin_prefetch(limits_of(saddle)); }, prefetch_ages,
+        std::span(descending), merge, [&](Record saddle) { __builtin_prefetch(&upper(saddle)); }, prefetch_ages,
         prefetch_voids);
   }
 
@@ -142,7 +153,7 @@ class Pairing {
     std::vector<std::pair<std::size_t, std::size_t>> column_of(edge_at.size());  // by its last place: begin and end
     std::vector<Record> column, sum;
     const auto for_each_place = [&](Record saddle, const auto& use) {
-      for (const Record edge : complex_.boundary(saddle)) {
+      for (const Record edge : lower(saddle)) {
         if (const Record place = place_of[edge - first_[1]]; place != kNone) use(place);
       }
     };
@@ -168,20 +179,22 @@ class Pairing {
       return last;
     };
     const auto prefetch_places = [&](Record saddle) {
-      for (const Record edge : complex_.boundary(saddle)) __builtin_prefetch(&place_of[edge - first_[1]]);
+      for (const Record edge : lower(saddle)) __builtin_prefetch(&place_of[edge - first_[1]]);
     };
     std::vector<Record> killing = ascending_[2];
     std::erase_if(killing, [this](Record saddle) { return partner_[saddle] != kNone; });
     geometry::in_blocks(
-        std::span<const Record>(killing), reduce, [&](Record saddle) { complex_.prefetch(saddle); },
-        [&](Record saddle) { prefetch_boundary(saddle); }, prefetch_places,
+        std::span<const Record>(killing), reduce, [&](Record saddle) { links_.prefetch_lower(saddle - first_[2]); },
+        [&](Record saddle) { __builtin_prefetch(lower(saddle).data()); }, prefetch_places,
         [&](Record saddle) { __builtin_prefetch(column_of.data() + last_place(saddle)); },
         [&](Record saddle) {
           if (!edge_at.empty()) __builtin_prefetch(columns.data() + column_of[last_place(saddle)].first);
         });
   }
 
-  const ChainComplex& complex_;
+  const PointSet& points_;
+  const StationaryPoints& stationary_;
+  const SaddleLinks& links_;
   std::array<Record, 4> first_{};                 // by index: the first critical point
   std::array<std::vector<Record>, 4> ascending_;  // by index: by value, then by place in the list
   std::vector<Record> partner_;                   // kNone: there is none, or none yet
@@ -189,11 +202,15 @@ class Pairing {
 
 }  // namespace
 
-Persistence::Persistence(const PointSet& points, const StationaryPoints& stationary, const ChainComplex& complex,
+Persistence::Persistence(const PointSet& points, const StationaryPoints& stationary, const SaddleLinks& links,
                          unsigned threads)
     : distances_(points, stationary, threads) {
   const geometry::IeeeDoubles ieee;
-  pairs_ = Pairing(stationary, complex, distances_).pairs(threads);
+  pairs_ = Pairing(points, stationary, links, distances_).pairs(threads);
 }
+
+Persistence::Persistence(const PointSet& points, const StationaryPoints& stationary, const ChainComplex& complex,
+                         unsigned threads)
+    : Persistence(points, stationary, SaddleLinks(stationary, complex), threads) {}
 
 }  // namespace flowcert

@@ -35,10 +35,9 @@ std::vector<double> squared_distances_of(const FlowComplex& complex, unsigned th
   return distances;
 }
 
-// One thread makes the chain complex and the pairs. Meanwhile another one can round.
+// One thread makes the pairs. Meanwhile another one can round.
 std::vector<double> squared_distances_beside_pairs(const FlowComplex& complex) {
-  complex.make(FlowComplexPart::kUnstable);
-  complex.make(FlowComplexPart::kStable);
+  complex.make(FlowComplexPart::kLinks);
   std::vector<double> distances;
   geometry::parallel_for(2, complex.threads(), [&](std::size_t task) {
     if (task == 0) {

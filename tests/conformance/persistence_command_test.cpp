@@ -186,13 +186,13 @@ TEST(PersistenceFile, HasTheTextAndLeavesATable) {
   EXPECT_EQ(finished.err, "");
   EXPECT_EQ(content_of(output), text_of(path).out);
   const Words lines = lines_of(finished.out);
-  ASSERT_EQ(lines.size(), 31U) << finished.out;
+  ASSERT_EQ(lines.size(), 30U) << finished.out;
   EXPECT_EQ(lines[0], path + " (table)");
   EXPECT_EQ(lines[3], "pairs of dimension 0                           7   components; 1 lasts");
   EXPECT_EQ(lines[4], "pairs of dimension 1                           5   tunnels; 0 last");
   EXPECT_EQ(lines[5], "pairs of dimension 2                           1   voids; 0 last");
   EXPECT_TRUE(lines[6].ends_with("--zero writes them")) << lines[6];
-  EXPECT_TRUE(lines[12].ends_with(" x the triangulation")) << lines[12];
+  EXPECT_TRUE(lines[11].ends_with(" x the triangulation")) << lines[11];
   // JSON is printed instead of the table. The file is the same.
   const std::string again = scratch.path("again.pers");
   EXPECT_EQ(json_of(path, {"-o", again})["pairs"].size(), 14U);

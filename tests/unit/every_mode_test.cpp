@@ -283,6 +283,9 @@ void add_flow_complex(Calls& calls, const Made& m) {
       "FlowComplex::chains", [](const Complex& c) { (void)c.chains(); },
       [](const Complex& c) { return c.chains().limits(); });
   from_nothing(
+      "FlowComplex::links", [](const Complex& c) { (void)c.links(); },
+      [](const Complex& c) { return c.links().upper(0); });
+  from_nothing(
       "FlowComplex::persistence", [](const Complex& c) { (void)c.persistence(); },
       [](const Complex& c) { return c.persistence().pairs(); });
   from_nothing(
@@ -349,9 +352,17 @@ void add_manifolds(Calls& calls, const Made& m) {
       "ChainComplex::ChainComplex",
       [&] { return ChainComplex(m.points, stationary, m.complex.unstable(), m.complex.stable(), 1); },
       [&](const ChainComplex& made) { return result_text(made.boundary(m.upper)) + result_text(made.limits()); });
+  const auto links_text = [](const SaddleLinks& made) {
+    return result_text(made.lower(0)) + result_text(made.upper(0));
+  };
   calls.add(
-      "Persistence::Persistence", [&] { return Persistence(m.points, stationary, m.complex.chains()); },
-      [](const Persistence& made) { return result_text(made.pairs()); });
+      "SaddleLinks::SaddleLinks", [&] { return SaddleLinks(diagram, stationary, m.complex.stable(), 2); }, links_text);
+  calls.add("SaddleLinks::SaddleLinks", [&] { return SaddleLinks(stationary, m.complex.chains()); }, links_text);
+  const auto pairs_text = [](const Persistence& made) { return result_text(made.pairs()); };
+  calls.add(
+      "Persistence::Persistence", [&] { return Persistence(m.points, stationary, m.complex.links()); }, pairs_text);
+  calls.add(
+      "Persistence::Persistence", [&] { return Persistence(m.points, stationary, m.complex.chains()); }, pairs_text);
   calls.add("Persistence::squared_value", [&] { return m.complex.persistence().squared_value(m.upper); });
   calls.add(
       "UnstableSurfaces::UnstableSurfaces", [&] { return std::make_unique<UnstableSurfaces>(diagram, stationary); },
@@ -617,7 +628,7 @@ const std::set<std::string> kWithoutDoubles = {
     "Distribution::add", "Distribution::times",
     "Distribution::count", "Distribution::max", "Distribution::mode", "FlowSegment::stays", "type_text", "Flow::tally",
     "StationaryIndex::is_critical", "FlowComplex::points", "FlowComplex::threads", "ChainComplex::boundary",
-    "ChainComplex::limits", "ChainComplex::broken_ties", "ChainComplex::prefetch", "FlowLimits::size",
+    "ChainComplex::limits", "ChainComplex::broken_ties", "ChainComplex::prefetch", "SaddleLinks::size", "SaddleLinks::lower", "SaddleLinks::upper", "SaddleLinks::prefetch_lower", "FlowLimits::size",
     "FlowLimits::record", "FlowLimits::point_count", "FlowLocator::followed", "MergeTree::parents",
     "MergeTrees::pockets", "MergeTrees::components", "MergeTrees::squared_distances", "MergeTrees::stationary",
     "MergeTrees::maxima", "MergeTrees::record_of", "MergeTrees::peaks_above", "MergeTrees::peaks_above_sides",

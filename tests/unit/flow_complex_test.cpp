@@ -68,6 +68,7 @@ std::string account_of(const FlowComplex& complex) {
     for (const BackwardSegment<>& segment : complex.stable().set(i).segments)
       text += text_of(segment.back.position) + '\n';
   }
+  for (const auto& [one, other] : complex.chains().limits()) text += std::to_string(one) + ' ' + std::to_string(other);
   for (std::size_t i = 0; i < complex.limits().size(); ++i) {
     for (const FlowLimits::Entry& entry : complex.limits().entries(i)) text += std::to_string(entry.limit) + ' ';
   }
@@ -210,7 +211,7 @@ TEST(FlowComplex, IsTheSameAfterItsDiagramIsForgotten) {
   for (std::size_t part = 0; part < kFlowComplexParts; ++part) {
     const auto which = static_cast<FlowComplexPart>(part);
     const bool stays = which == FlowComplexPart::kStationary || which == FlowComplexPart::kChains ||
-                       which == FlowComplexPart::kPersistence;
+                       which == FlowComplexPart::kLinks || which == FlowComplexPart::kPersistence;
     EXPECT_EQ(ends[which], stays ? 1U : 2U) << part;
   }
 }
@@ -244,10 +245,13 @@ TEST(FlowComplex, PartsWithoutStagesTellThatTheyBegin) {
   const FlowComplex complex(pyramid(), {}, [&](FlowComplexPart part, std::size_t done, std::size_t) {
     if (part >= FlowComplexPart::kChains) told.emplace_back(part, done);
   });
+  (void)complex.chains();
   (void)complex.persistence();
   (void)complex.unstable_surfaces();
   EXPECT_EQ(told, (std::vector<std::pair<FlowComplexPart, std::size_t>>{{FlowComplexPart::kChains, 0},
                                                                         {FlowComplexPart::kChains, 1},
+                                                                        {FlowComplexPart::kLinks, 0},
+                                                                        {FlowComplexPart::kLinks, 1},
                                                                         {FlowComplexPart::kPersistence, 0},
                                                                         {FlowComplexPart::kPersistence, 1},
                                                                         {FlowComplexPart::kUnstableSurfaces, 0},

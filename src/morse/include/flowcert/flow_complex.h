@@ -34,13 +34,14 @@ enum class FlowComplexPart : std::uint8_t {
   kUnstable,
   kStable,
   kChains,
+  kLinks,
   kPersistence,
   kLimits,
   kVolumes,
   kUnstableSurfaces,
   kMergeTrees,
 };
-inline constexpr std::size_t kFlowComplexParts = 11;
+inline constexpr std::size_t kFlowComplexParts = 12;
 
 // Where a position flows to.
 struct FlowPlace {
@@ -53,8 +54,8 @@ struct FlowPlace {
 
 class FlowComplex {
  public:
-  // Called when a part is done. For chains, persistence, unstable surfaces and merge trees it is also called when they
-  // begin, for all other parts now and then, from any of the threads that make them, one at a time. Two threads call it
+  // Called when a part is done. For chains, links, persistence, unstable surfaces and merge trees it is also called
+  // when they begin, for all other parts now and then, from any of the threads that make them, one at a time. Two threads call it
   // at once if they make different parts. It may throw to stop; the part is then made when it is asked for again. It
   // must not ask the complex for anything.
   using Progress = std::function<void(FlowComplexPart part, std::size_t done, std::size_t total)>;
@@ -71,7 +72,7 @@ class FlowComplex {
   // Makes a part and those that it needs, where they are not there yet.
   void make(FlowComplexPart part) const;
   // Gives back the memory of the diagram and of what refers to it, which is most of it. Points, stationary points,
-  // chains and persistence stay. What is forgotten is made again when it is asked for, and references to it end.
+  // chains, links and persistence stay. What is forgotten is made again when it is asked for, and references to it end.
   void forget_diagram();
 
   [[nodiscard]] const PointSet& points() const;
@@ -88,6 +89,8 @@ class FlowComplex {
   [[nodiscard]] const UnstableManifolds& unstable() const;
   [[nodiscard]] const StableManifolds& stable() const;
   [[nodiscard]] const ChainComplex& chains() const;
+  // What persistence is made of. It does not need U2.
+  [[nodiscard]] const SaddleLinks& links() const;
   [[nodiscard]] const Persistence& persistence() const;
   [[nodiscard]] const FlowLimits& limits() const;
   [[nodiscard]] const StableVolumes& volumes() const;

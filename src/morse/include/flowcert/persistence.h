@@ -1,4 +1,5 @@
-// Persistent homology of the squared distance function, over Z/2, from the chain complex of the flow complex.
+// Persistent homology of the squared distance function, over Z/2, from what lies below and above its critical
+// points.
 //
 // Guarantees: pairs and values are exact, and equal to the persistence of the alpha complex without its pairs of
 // length zero (spec clauses FC-PERS). Union-find over the index-1 points makes pairs (0,1). The dual union-find over
@@ -10,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "flowcert/chain_complex.h"
+#include "flowcert/saddle_links.h"
 #include "flowcert/squared_distances.h"
 
 namespace flowcert {
@@ -19,6 +20,8 @@ struct PersistencePair {
   int dimension = 0;                   // of the homology class, 0 to 2
   std::uint32_t birth = 0;             // critical points, by their places in the list
   std::optional<std::uint32_t> death;  // none: the class lasts
+
+  friend bool operator==(const PersistencePair&, const PersistencePair&) = default;
 };
 
 class Persistence {
@@ -26,6 +29,9 @@ class Persistence {
   // Sorts all critical points by their exact values, and makes a reduction. This is cubic at worst in the number of
   // index-2 points that no maximum is paired with. Points and list must outlive this. It is the same for any number of
   // threads, which is at least 1.
+  Persistence(const PointSet& points, const StationaryPoints& stationary, const SaddleLinks& links,
+              unsigned threads = 1);
+  // From the chain complex, which has the limits of U2. The pairs are the same.
   Persistence(const PointSet& points, const StationaryPoints& stationary, const ChainComplex& complex,
               unsigned threads = 1);
 
