@@ -2,11 +2,13 @@
 """Guards speed: instructions and last-level cache misses of FLOWCERT, as callgrind counts them on a simulated cache.
 
 usage: guard.py FLOWCERT [--accept]
+       guard.py --take TABLE
 
 Six inputs of at most 10,000 points, the same everywhere, each by two commands, in one thread. The table guard.json has
 a row of figures for each compiler and version of CGAL that was accepted. Clocks and other programs change nothing: two
 runs differ by less than 0.1 %. Exit status: 0; 1 where instructions grew by more than 3 %, or misses by more than 5 %;
-2 where there is no row yet. --accept writes the row, with the figures of this run.
+2 where there is no row yet. --accept writes the row, with the figures of this run, and --take takes over the
+rows of another table.
 """
 import json
 import math
@@ -81,6 +83,10 @@ def counted(words, folder):
     return {"instructions": totals["Ir"], "misses": totals["ILmr"] + totals["DLmr"] + totals["DLmw"]}
 
 
+def write(table):
+    TABLE.write_text(json.dumps(dict(sorted(table.items())), indent=1) + "\n")
+
+
 def main(flowcert, accept):
     table = json.loads(TABLE.read_text())
     figures, grown = {}, []
@@ -105,8 +111,7 @@ def main(flowcert, accept):
                 grown.append(f"{key}: {event} grew to {ratio:.3f} times")
         print(line.rstrip())
     if accept:
-        table[row] = figures
-        TABLE.write_text(json.dumps(dict(sorted(table.items())), indent=1) + "\n")
+        write({**table, row: figures})
         return 0
     print("\n".join(grown))
     if not before:
@@ -115,6 +120,9 @@ def main(flowcert, accept):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) == 3 and sys.argv[1] == "--take":
+        write({**json.loads(TABLE.read_text()), **json.loads(Path(sys.argv[2]).read_text())})
+        sys.exit(0)
     if len(sys.argv) not in (2, 3) or sys.argv[2:] not in ([], ["--accept"]):
         raise SystemExit(__doc__)
     os.environ["LC_ALL"] = "C"
