@@ -8,7 +8,7 @@ A SIZE is so many points, uniform in (-1,1)^3; a FILE is a scan in .obj or .xyz.
 length to a file. They take turns. GUDHI's program for three dimensions, which is much like its other one, is left out
 of large inputs. Seconds are processor time, medians of N runs (1). A program that fails gets an x,
 as one does that asks for more memory than the machine has. Standard output is Markdown. Exit status 1 if flowcert
-fails, or has another number of pairs than GUDHI's exact complex.
+fails, or has another number of pairs than GUDHI's exact complex, but for such as have one double at both ends.
 """
 import argparse
 import os
@@ -71,6 +71,12 @@ def pair_count(path):
         return sum(not line.startswith("#") and line.strip() != "" for line in lines)
 
 
+def short_pair_count(path):
+    """Our pairs whose exact ends have one nearest double. GUDHI's values are doubles, so that it may lack them."""
+    with open(path) as lines:
+        return sum(not line.startswith("#") and line.split()[1] == line.split()[2] for line in lines if line.strip())
+
+
 def measure(program, directory, name, runs):
     """A row for each program. Returns the rows, and what is wrong."""
     points = directory / "points.off"
@@ -95,7 +101,8 @@ def measure(program, directory, name, runs):
         seconds = statistics.median(result[0] for result in results)
         memory = max(result[1] for result in results)
         table.append([input_name, one, f"{seconds:.2f}", f"{seconds / ours:.1f}", f"{memory:,.0f}", f"{counts[one]:,}"])
-        if one == "GUDHI exact" and counts[one] != counts[OURS]:
+        most = counts[OURS]
+        if one == "GUDHI exact" and not most - short_pair_count(made[OURS][1]) <= counts[one] <= most:
             faults.append(f"{input_name}: {one} has {counts[one]} pairs, flowcert {counts[OURS]}")
     return table, faults
 
