@@ -15,7 +15,8 @@ namespace flowcert::cli {
 struct Measured {
   std::optional<FlowComplex> last;
   unsigned runs = 0;
-  // Medians, of the triangulation, the stationary points and the other parts. That of the pairs has what they are made of, too.
+  // Medians, of the triangulation, the stationary points and the other parts. The pairs' has that of chains and links,
+  // too.
   std::map<FlowComplexPart, double> seconds;
   double seconds_after_delaunay = 0;  // of all but the triangulation; a median
   bool has_ratios = false;            // to the triangulation; not for fewer than 4 points, or no measurable time

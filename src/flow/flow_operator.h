@@ -95,7 +95,7 @@ class FlowOperator {
   // Against the flow. The back of a facet that has one for all fronts, so that no front's point is needed. A facet with
   // its midpoint inside has one back, and so have most others. The face is that of a front.
   [[nodiscard]] virtual std::optional<BackwardStep> one_back(const Place& front, FacetName facet, CellIndex hint) = 0;
-  // Of a facet that has several.
+  // The back of a facet that has several; which one it is depends on the front.
   [[nodiscard]] virtual BackwardStep step_back(const Location& front, FacetName facet, CellIndex hint) = 0;
   // Constructs the back inside a Voronoi edge.
   [[nodiscard]] virtual PointNumber cross_back(const Location& front, FacetName facet, VertexIndex apex) = 0;

@@ -1,8 +1,8 @@
 // Tells that two edges, or two triangles, are congruent without a number that is not a double. Where values are equal,
 // as on lattices, that is mostly why.
 //
-// Guarantees: exact. Those with equal keys have the same lengths of edges, and so circles of the same radius. Others may
-// have them as well. There is no key where the difference of two coordinates is no double.
+// Guarantees: exact. Those with equal keys have the same lengths of edges, and so circles of the same radius. Others
+// may have them as well. There is no key where the difference of two coordinates is no double.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace flowcert::geometry {
 
-// Of each edge the absolute differences of coordinates, ascending. An edge has zeros behind its own.
+// The absolute differences of coordinates, ascending, of each of three edges. A single edge has zeros behind its own.
 using CongruenceKey = std::array<std::array<double, 3>, 3>;
 
 // Takes two different points, or three. O(1).

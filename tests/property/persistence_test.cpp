@@ -200,8 +200,8 @@ std::string broken_pairing(const Subject& subject) {
   return lasting == of_a_point ? "" : "not the homology of a point";
 }
 
-// Above each side of an index-2 point of value s, the link has a maximum of the component of {d^2 > s} that has the limit
-// of U2, too. The components come together from the greatest value down.
+// The link of an index-2 point of value s has, above each side, a maximum of the component of {d^2 > s} that has the
+// limit of U2, too. The components come together from the greatest value down.
 std::string broken_links(const Subject& subject) {
   const ChainComplex& chains = subject.chains();
   const SaddleLinks& links = subject.links();

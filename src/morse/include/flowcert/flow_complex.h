@@ -55,9 +55,9 @@ struct FlowPlace {
 class FlowComplex {
  public:
   // Called when a part is done. For chains, links, persistence, unstable surfaces and merge trees it is also called
-  // when they begin, for all other parts now and then, from any of the threads that make them, one at a time. Two threads call it
-  // at once if they make different parts. It may throw to stop; the part is then made when it is asked for again. It
-  // must not ask the complex for anything.
+  // when they begin, for all other parts now and then, from any of the threads that make them, one at a time. Two
+  // threads call it at once if they make different parts. It may throw to stop; the part is then made when it is asked
+  // for again. It must not ask the complex for anything.
   using Progress = std::function<void(FlowComplexPart part, std::size_t done, std::size_t total)>;
 
   // Computes nothing yet. The second one throws InvalidInput as PointSet does. Whatever rounding mode, flushing of

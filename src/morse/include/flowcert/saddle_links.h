@@ -1,9 +1,8 @@
 // What lies below and above each critical point of index 2, as far as persistence asks for it.
 //
-// Guarantees: exact, on every input. Below is the boundary in the chain complex. Above, at each of the two sides, is one
-// of the maxima in the component of {d^2 > s} there, where s is the point's value, or infinity. Pairs need no more than
-// that component, and so not U2: paths over Voronoi edges find it (spec clauses FC-TREE-03 and 04). Ascending values
-// joined like this give the pairs of FC-PERS-01, whatever maximum is taken.
+// Guarantees: exact, on every input. Below is the boundary in the chain complex. Above, at each of the two sides, is
+// one of the maxima in the component of {d^2 > s} there, where s is the point's value, or infinity. Pairs need no more
+// than that component, and so not U2: paths over Voronoi edges find it (spec clauses FC-TREE-03 and 04).
 #pragma once
 
 #include <array>
@@ -24,7 +23,7 @@ class SaddleLinks {
   // for any number of threads.
   SaddleLinks(const VoronoiDiagram& diagram, const StationaryPoints& stationary, const StableManifolds& stable,
               unsigned threads = 1);
-  // Those of the chain complex: the maxima at which U2 ends. O(cells of the complex).
+  // The maxima are those at which U2 ends, as the chain complex has them. O(cells of the complex).
   SaddleLinks(const StationaryPoints& stationary, const ChainComplex& complex);
 
   // Critical points of index 2, in the order of the list.
