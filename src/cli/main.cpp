@@ -18,6 +18,7 @@
 
 #include "cli/command.h"
 #include "cli/command_line.h"
+#include "cli/huge_pages.h"
 #include "cli/layer.h"
 #include "flowcert/reproducibility.h"
 #include "fuzz/commands/commands.h"
@@ -116,6 +117,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   io::prepare_standard_streams();
   io::prepare_for_out_of_memory("flowcert");
+  prepare_for_huge_pages();
   try {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {

@@ -7,8 +7,9 @@ A SIZE is so many points, uniform in (-1,1)^3; a FILE is a scan in .obj or .xyz.
 3 x 10^6 points. All programs read the same OFF file in DIRECTORY, use one thread, and write the pairs of positive
 length to a file. They take turns. GUDHI's program for three dimensions, which is much like its other one, is left out
 of large inputs. Seconds are processor time, medians of N runs (1). A program that fails gets an x,
-as one does that asks for more memory than the machine has. Standard output is Markdown. Exit status 1 if flowcert
-fails, or has another number of pairs than GUDHI's exact complex, but for such as have one double at both ends.
+as one does that asks for more than three quarters of the machine's memory. Standard output is Markdown. Exit status 1
+if flowcert fails, or has another number of pairs than GUDHI's exact complex, but for such as have one double at both
+ends.
 """
 import argparse
 import os
@@ -55,7 +56,7 @@ def of_scan(path):
 
 def run(words):
     """(seconds, megabytes), or nothing if it fails."""
-    memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") * 3 // 4
     child = subprocess.Popen(
         words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (memory, memory)),
