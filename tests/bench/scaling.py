@@ -7,9 +7,9 @@ A SIZE is so many points, uniform in (-1,1)^3; a FILE is a scan in .obj or .xyz.
 3 x 10^6 points. All programs read the same OFF file in DIRECTORY, use one thread, and write the pairs of positive
 length to a file. They take turns. GUDHI's program for three dimensions, which is much like its other one, is left out
 of large inputs. Seconds are processor time, medians of N runs (1). A program that fails gets an x,
-as one does that asks for more than three quarters of the machine's memory. Standard output is Markdown. Exit status 1
-if flowcert fails, or has another number of pairs than GUDHI's exact complex, but for such as have one double at both
-ends.
+as one does that asks for more than three quarters of the machine's memory. Standard output is Markdown, and each run
+is told on standard error when it ends. Exit status 1 if flowcert fails, or has another number of pairs than GUDHI's
+exact complex, but for such as have one double at both ends.
 """
 import argparse
 import os
@@ -89,6 +89,8 @@ def measure(program, directory, name, runs):
         for one, (words, _) in made.items():
             if None not in found[one]:
                 found[one].append(run(words))
+                print(f"{name}: {one}: {'failed' if found[one][-1] is None else '%.2f s, %.0f MB' % found[one][-1]}",
+                      file=sys.stderr, flush=True)
     input_name = f"{len(rows):,} uniform" if name.isdigit() else Path(name).stem
     table, faults = [], []
     counts = {one: pair_count(pairs) for one, (_, pairs) in made.items() if None not in found[one]}
