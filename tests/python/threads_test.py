@@ -79,8 +79,8 @@ fc = flowcert.FlowComplex(points, threads=int(sys.argv[1]))
 if sys.argv[2] != "persistence":
     fc.counts
 ask = (lambda: fc.volumes) if sys.argv[2] == "volumes" else getattr(fc, sys.argv[2])
+start = time.perf_counter()  # before the timer, which may fire while this thread waits for a processor
 threading.Timer(float(sys.argv[3]), os.kill, (os.getpid(), signal.SIGINT)).start()
-start = time.perf_counter()
 try:
     ask()
 except KeyboardInterrupt:
