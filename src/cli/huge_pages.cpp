@@ -15,11 +15,12 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <atomic>
 #include <climits>
 #include <cstdint>
 #include <cstdlib>
+
+#include "geometry/take_as_new_does.h"
 
 namespace {
 
@@ -50,14 +51,8 @@ void ask_for_huge_pages(std::uintptr_t begin, std::uintptr_t end) {
   }
 }
 
-template <typename Take>
-void* taken(std::size_t size, const Take& take) {
-  void* memory = nullptr;
-  while ((memory = take()) == nullptr) {
-    const std::new_handler find_memory = std::get_new_handler();
-    if (!find_memory) throw std::bad_alloc();
-    find_memory();
-  }
+void* taken(std::size_t size, const auto& take) {
+  void* const memory = flowcert::geometry::take_as_new_does(take);
   const auto block = reinterpret_cast<std::uintptr_t>(memory);
   if (block + size > told_of.load(std::memory_order_relaxed)) tell_of(block, size);
   return memory;
@@ -65,12 +60,12 @@ void* taken(std::size_t size, const Take& take) {
 
 }  // namespace
 
+// glibc has a block for a size of 0, too, and any size for an alignment.
 void* operator new(std::size_t size) {
-  return taken(size, [size] { return std::malloc(std::max<std::size_t>(size, 1)); });
+  return taken(size, [size] { return std::malloc(size); });
 }
 void* operator new(std::size_t size, std::align_val_t alignment) {
-  const auto unit = static_cast<std::size_t>(alignment);
-  return taken(size, [=] { return std::aligned_alloc(unit, std::max(unit, (size + unit - 1) & ~(unit - 1))); });
+  return taken(size, [=] { return std::aligned_alloc(static_cast<std::size_t>(alignment), size); });
 }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }

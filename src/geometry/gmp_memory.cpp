@@ -4,7 +4,8 @@
 #include <gmp.h>
 
 #include <cstdlib>
-#include <new>
+
+#include "geometry/take_as_new_does.h"
 
 // GMP has no public name for what it takes by itself.
 // NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming)
@@ -15,12 +16,7 @@ namespace flowcert::geometry {
 namespace {
 
 void* resize(void* memory, std::size_t bytes) {
-  while (true) {
-    if (void* const moved = std::realloc(memory, bytes)) return moved;
-    const std::new_handler handler = std::get_new_handler();
-    if (handler == nullptr) throw std::bad_alloc();
-    handler();
-  }
+  return take_as_new_does([=] { return std::realloc(memory, bytes); });
 }
 
 void* take(std::size_t bytes) { return resize(nullptr, bytes); }
