@@ -88,9 +88,10 @@ def measure(program, directory, name, runs):
     for _ in range(runs):
         for one, (words, _) in made.items():
             if None not in found[one]:
-                found[one].append(run(words))
-                print(f"{name}: {one}: {'failed' if found[one][-1] is None else '%.2f s, %.0f MB' % found[one][-1]}",
-                      file=sys.stderr, flush=True)
+                result = run(words)
+                found[one].append(result)
+                told = "failed" if result is None else f"{result[0]:.2f} s, {result[1]:.0f} MB"
+                print(f"{name}: {one}: {told}", file=sys.stderr, flush=True)
     input_name = f"{len(rows):,} uniform" if name.isdigit() else Path(name).stem
     table, faults = [], []
     counts = {one: pair_count(pairs) for one, (_, pairs) in made.items() if None not in found[one]}
