@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <memory_resource>
 #include <numeric>
 #include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "geometry/floating_point.h"
-#include "geometry/parallel_for.h"
+#include "geometry/portions.h"
 #include "geometry/prefetch.h"
 #include "morse/layer.h"
 
@@ -65,7 +66,7 @@ class Pairing {
 
   std::vector<PersistencePair> pairs(unsigned threads) {
     geometry::parallel_for(2, threads, [this](std::size_t k) { k == 0 ? pair_components() : pair_voids(); });
-    pair_tunnels();
+    pair_tunnels(threads);
     // A record of a lower index is born.
     std::vector<PersistencePair> pairs;
     for (Record record = 0; record < first_[3]; ++record) {
@@ -140,8 +141,50 @@ class Pairing {
         prefetch_voids);
   }
 
-  // A column is a sum of index-1 points that close a tunnel. Each is given by its place among these; places ascend.
-  void pair_tunnels() {
+  // A sum of index-1 points that close a tunnel. Each is given by its place among these; places ascend. The saddle is
+  // the index-2 point that the sum belongs to.
+  struct Column {
+    const Record* places = nullptr;
+    std::uint32_t size = 0;
+    Record saddle = kNone;
+
+    [[nodiscard]] std::span<const Record> all() const { return {places, size}; }
+    [[nodiscard]] Record last() const { return places[size - 1]; }
+  };
+
+  // The columns of index-2 points before anything is added to them. Each part of these has memory of its own.
+  [[nodiscard]] std::vector<Column> boundaries(std::span<const Record> saddles, std::span<const Record> place_of,
+                                               unsigned threads, std::vector<std::vector<Record>>& memory) const {
+    constexpr std::size_t kPart = geometry::portion_size(1U << 12);
+    std::vector<Column> columns(saddles.size());
+    memory.resize((saddles.size() + kPart - 1) / kPart);
+    geometry::parallel_for(memory.size(), threads, [&](std::size_t part) {
+      const auto mine = saddles.subspan(part * kPart, std::min(kPart, saddles.size() - part * kPart));
+      const auto columns_of_mine = std::span(columns).subspan(part * kPart, mine.size());
+      std::vector<Record>& places = memory[part];
+      auto column = columns_of_mine.begin();
+      const auto gather = [&](Record saddle) {
+        const std::size_t begin = places.size();
+        for (const Record edge : lower(saddle)) {
+          if (const Record place = place_of[edge - first_[1]]; place != kNone) places.push_back(place);
+        }
+        std::sort(places.begin() + static_cast<std::ptrdiff_t>(begin), places.end());
+        *column++ = {nullptr, static_cast<std::uint32_t>(places.size() - begin), saddle};
+      };
+      geometry::in_blocks(
+          mine, gather, [&](Record saddle) { links_.prefetch_lower(saddle - first_[2]); },
+          [&](Record saddle) { __builtin_prefetch(lower(saddle).data()); },
+          [&](Record saddle) {
+            for (const Record edge : lower(saddle)) __builtin_prefetch(&place_of[edge - first_[1]]);
+          });
+      // From here on the memory stays where it is.
+      const Record* next = places.data();
+      for (Column& done : columns_of_mine) done.places = std::exchange(next, next + done.size);
+    });
+    return columns;
+  }
+
+  void pair_tunnels(unsigned threads) {
     std::vector<Record> edge_at;
     std::vector<Record> place_of(ascending_[1].size(), kNone);
     for (const Record edge : ascending_[1]) {
@@ -149,47 +192,40 @@ class Pairing {
       place_of[edge - first_[1]] = static_cast<Record>(edge_at.size());
       edge_at.push_back(edge);
     }
-    std::vector<Record> columns;                                                 // one after the other
-    std::vector<std::pair<std::size_t, std::size_t>> column_of(edge_at.size());  // by its last place: begin and end
-    std::vector<Record> column, sum;
-    const auto for_each_place = [&](Record saddle, const auto& use) {
-      for (const Record edge : lower(saddle)) {
-        if (const Record place = place_of[edge - first_[1]]; place != kNone) use(place);
-      }
-    };
-    const auto reduce = [&](Record saddle) {
-      column.clear();
-      for_each_place(saddle, [&](Record place) { column.push_back(place); });
-      std::sort(column.begin(), column.end());
-      while (!column.empty() && column_of[column.back()].second > 0) {
-        const auto [begin, end] = column_of[column.back()];
-        sum.clear();
-        std::ranges::set_symmetric_difference(column, std::span(columns).subspan(begin, end - begin),
-                                              std::back_inserter(sum));
-        column.swap(sum);
-      }
-      if (column.empty()) throw std::logic_error("an index-2 point that neither opens a void nor fills a tunnel");
-      add(edge_at[column.back()], saddle);
-      column_of[column.back()] = {columns.size(), columns.size() + column.size()};
-      columns.insert(columns.end(), column.begin(), column.end());
-    };
-    const auto last_place = [&](Record saddle) {
-      Record last = 0;
-      for_each_place(saddle, [&](Record place) { last = std::max(last, place); });
-      return last;
-    };
-    const auto prefetch_places = [&](Record saddle) {
-      for (const Record edge : lower(saddle)) __builtin_prefetch(&place_of[edge - first_[1]]);
-    };
     std::vector<Record> killing = ascending_[2];
     std::erase_if(killing, [this](Record saddle) { return partner_[saddle] != kNone; });
+    std::vector<std::vector<Record>> memory;
+    const std::vector<Column> columns = boundaries(killing, place_of, threads, memory);
+    std::vector<Column> column_of(edge_at.size());  // by its last place
+    std::pmr::monotonic_buffer_resource sums;       // most columns need none
+    std::vector<Record> one, other;
+    const auto reduce = [&](Column column) {
+      while (column.size > 0 && column_of[column.last()].size > 0) {
+        other.clear();
+        std::ranges::set_symmetric_difference(column.all(), column_of[column.last()].all(), std::back_inserter(other));
+        one.swap(other);
+        column = {one.data(), static_cast<std::uint32_t>(one.size()), column.saddle};
+      }
+      if (column.size == 0) throw std::logic_error("an index-2 point that neither opens a void nor fills a tunnel");
+      if (column.places == one.data()) {
+        auto* kept = static_cast<Record*>(sums.allocate(column.size * sizeof(Record), alignof(Record)));
+        std::ranges::copy(column.all(), kept);
+        column.places = kept;
+      }
+      column_of[column.last()] = column;
+    };
+    const auto prefetch_sum = [&](const Column& column) {
+      if (column.size > 0) __builtin_prefetch(column_of[column.last()].places);
+    };
     geometry::in_blocks(
-        std::span<const Record>(killing), reduce, [&](Record saddle) { links_.prefetch_lower(saddle - first_[2]); },
-        [&](Record saddle) { __builtin_prefetch(lower(saddle).data()); }, prefetch_places,
-        [&](Record saddle) { __builtin_prefetch(column_of.data() + last_place(saddle)); },
-        [&](Record saddle) {
-          if (!edge_at.empty()) __builtin_prefetch(columns.data() + column_of[last_place(saddle)].first);
-        });
+        std::span(columns), reduce,
+        [&](const Column& column) {
+          if (column.size > 0) __builtin_prefetch(&column_of[column.last()]);
+        },
+        prefetch_sum);
+    for (std::size_t place = 0; place < edge_at.size(); ++place) {
+      if (column_of[place].size > 0) add(edge_at[place], column_of[place].saddle);
+    }
   }
 
   const PointSet& points_;
