@@ -101,7 +101,7 @@ TetrahedronSigns tetrahedron_signs(const TetrahedronPoints& points, CellSphere& 
   tally[Predicate::kAngle].calls += forms.angles.size();
   tally[Predicate::kSideOfPlane].calls += forms.sides.size();
 
-  TetrahedronSigns signs;
+  TetrahedronSigns signs{};
   bool all_certain = true;  // written so that NaN, from an overflow, is not certain
   for (std::size_t k = 0; k < forms.angles.size(); ++k) {
     const unsigned negative = forms.angles[k] < 0 ? 1u : 0u;

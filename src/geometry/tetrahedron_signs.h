@@ -20,12 +20,12 @@ namespace flowcert::geometry {
 // Facet i of a cell is the one opposite its vertex i. Bit 4 i + j of a mask, with i != j, is the angle of facet i at
 // the cell's vertex j. A facet's mask is thus four neighbouring bits.
 struct TetrahedronSigns {
-  std::uint16_t angle_negative = 0;
-  std::uint16_t angle_zero = 0;
+  std::uint16_t angle_negative;
+  std::uint16_t angle_zero;
   // Bit i is s of facet i. It is open where the filter failed and nobody has needed the sign yet.
-  std::uint8_t side_negative = 0;
-  std::uint8_t side_zero = 0;
-  std::uint8_t side_open = 0;
+  std::uint8_t side_negative;
+  std::uint8_t side_zero;
+  std::uint8_t side_open;
 
   static constexpr unsigned angle_bit(unsigned facet, unsigned vertex) { return 4 * facet + vertex; }
   [[nodiscard]] bool is_obtuse(unsigned facet) const { return ((angle_negative >> (4 * facet)) & 15u) != 0; }

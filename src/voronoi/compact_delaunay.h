@@ -19,6 +19,7 @@
 
 #include "flowcert/point_set.h"
 #include "geometry/keep_unique.h"
+#include "geometry/unset_vector.h"
 #include "voronoi/delaunay.h"
 #include "voronoi/layer.h"
 
@@ -79,7 +80,7 @@ struct alignas(32) DelaunayCell {
 struct CompactDelaunay {
   int dimension = -1;
   CellIndex finite_count = 0;
-  std::vector<DelaunayCell> cells;
+  geometry::UnsetVector<DelaunayCell> cells;
   std::vector<Point> points;            // by VertexIndex
   std::vector<std::uint32_t> ordinals;  // of the vertices in the point set
 

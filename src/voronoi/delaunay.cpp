@@ -160,7 +160,7 @@ NumberedCells number_cells(const Cgal& cgal, int corners, std::size_t vertex_cou
 
 // In the order of the numbers, neighbours are looked at one soon after the other.
 void copy_cells(const NumberedCells& numbered, std::size_t first, std::size_t last, int corners,
-                Cgal::Vertex_handle infinite, std::vector<DelaunayCell>& copies) {
+                Cgal::Vertex_handle infinite, geometry::UnsetVector<DelaunayCell>& copies) {
   for (std::size_t number = first; number < last; ++number) {
     prefetch(numbered.cells, number, corners);
     DelaunayCell& copied = copies[number];
@@ -181,6 +181,8 @@ CompactDelaunay voronoi::compact_copy(const Delaunay& delaunay, unsigned threads
   const Cgal& cgal = delaunay.triangulation().cgal;
   CompactDelaunay copy;
   copy.dimension = cgal.dimension();
+  copy.points.reserve(delaunay.points().size());
+  copy.ordinals.reserve(delaunay.points().size());
   for (const std::size_t ordinal : delaunay.triangulation().order) {
     copy.points.push_back(delaunay.points()[ordinal]);
     copy.ordinals.push_back(static_cast<std::uint32_t>(ordinal));

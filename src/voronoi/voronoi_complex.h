@@ -112,7 +112,7 @@ class FacetTurns {
  private:
   [[nodiscard]] unsigned code(FacetRef facet) const { return (codes_[facet.cell] >> (4 * facet.index)) & 15u; }
 
-  std::vector<std::uint16_t> codes_;  // four bits a facet
+  geometry::UnsetVector<std::uint16_t> codes_;  // four bits a facet
 };
 
 // ---- Points that span R^3 ----
@@ -190,7 +190,7 @@ class VoronoiComplex {
   [[nodiscard]] TetrahedronPoints points_of(CellIndex cell) const;
 
   CompactDelaunay delaunay_;
-  std::vector<TetrahedronSigns> signs_;
+  geometry::UnsetVector<TetrahedronSigns> signs_;
   FacetTurns turns_;
   std::vector<CellIndex> cluster_;    // empty: all cells are alone
   std::vector<std::uint16_t> flags_;  // empty: all cells are alone
