@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
+#include <ranges>
 #include <utility>
 
 #include "geometry/parallel_for.h"
+#include "geometry/unset_vector.h"
 
 namespace flowcert::morse {
 
@@ -19,20 +21,16 @@ OrderedRecords OrderedRecords::empty_part(std::size_t parts) const {
   return part;
 }
 
+// Records of large contact sets are rare, and only these change.
 void OrderedRecords::take(OrderedRecords other) {
   const auto first_large = static_cast<std::uint32_t>(large_.size());
   std::ranges::move(other.large_, std::back_inserter(large_));
-  for (std::size_t slot = 0; slot < records_.size(); ++slot) {
-    std::vector<Record>& added = other.records_[slot];
-    for (Record& record : added) {
+  if (first_large > 0 && large_.size() > first_large) {
+    for (Record& record : other.records_ | std::views::join) {
       if (record.size > record.small.size()) record.small[1] += first_large;
     }
-    if (records_[slot].empty()) {
-      records_[slot] = std::move(added);
-    } else {
-      records_[slot].insert(records_[slot].end(), added.begin(), added.end());
-    }
   }
+  taken_.push_back(std::move(other.records_));
 }
 
 namespace {
@@ -68,50 +66,60 @@ void OrderedRecords::add(StationaryIndex index, std::span<const VertexIndex> con
 }
 
 // Spreads the records over buckets by their first points, then sorts each small bucket.
-std::vector<OrderedRecords::Record> OrderedRecords::sorted(const std::vector<Record>& records) const {
+void OrderedRecords::sort(std::size_t slot, std::span<Record> result) const {
   std::vector<std::uint32_t> start(ordinals_.size() + 1, 0);
-  for (const Record& record : records) ++start[record.small[0] + 1];
+  for_each_record(slot, [&](const Record& record) { ++start[record.small[0] + 1]; });
   std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<Record> result(records.size());
   std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-  for (const Record& record : records) result[next[record.small[0]]++] = record;
+  for_each_record(slot, [&](const Record& record) { result[next[record.small[0]]++] = record; });
   for (std::size_t k = 0; k < ordinals_.size(); ++k) {
     if (start[k + 1] - start[k] < 2) continue;
     std::sort(result.begin() + start[k], result.begin() + start[k + 1],
               [this](const Record& a, const Record& b) { return is_less(a, b); });
   }
-  return result;
 }
 
 StationaryPoints OrderedRecords::list(const PointSet& points, unsigned threads) const {
   // Where the records of each index or kind are in the list, and their contact sets.
   std::array<std::size_t, kOrder.size() + 1> first_record{points.size()}, first_contact{points.size()};
+  std::array<std::size_t, kOrder.size()> counts{};
   for (std::size_t slot = 0; slot < kOrder.size(); ++slot) {
-    first_record[slot + 1] = first_record[slot] + records_[slot].size();
     first_contact[slot + 1] = first_contact[slot];
-    for (const Record& record : records_[slot]) first_contact[slot + 1] += record.size;
+    for_each_record(slot, [&](const Record& record) {
+      ++counts[slot];
+      first_contact[slot + 1] += record.size;
+    });
+    first_record[slot + 1] = first_record[slot] + counts[slot];
   }
   StationaryPoints list;
-  list.index_.resize(first_record.back());
-  list.face_.resize(first_record.back());
-  list.first_.resize(first_record.back() + 1);
-  list.contact_.resize(first_contact.back());
+  const auto make_room = [&](std::size_t k) {
+    if (k == 0) list.contact_.resize(first_contact.back());
+    if (k == 1) list.first_.resize(first_record.back() + 1);
+    if (k == 2) list.face_.resize(first_record.back());
+    if (k == 3) list.index_.resize(first_record.back());
+  };
+  geometry::parallel_for(4, threads, make_room);
   for (std::size_t k = 0; k < points.size(); ++k) {
     list.contact_[k] = points.name(k);
     list.first_[k + 1] = k + 1;
   }
+  // The memory is taken here, because a thread of its own would have none that was used before.
+  std::array<geometry::UnsetVector<Record>, kOrder.size()> sorted;
+  for (std::size_t slot = 0; slot < kOrder.size(); ++slot) sorted[slot].resize(counts[slot]);
   geometry::parallel_for(kOrder.size(), threads, [&](std::size_t slot) {
-    if (records_[slot].empty()) return;
+    if (counts[slot] == 0) return;
+    sort(slot, sorted[slot]);
     std::size_t at = first_record[slot], end = first_contact[slot];
-    for (const Record& record : sorted(records_[slot])) {
+    for (const Record& record : sorted[slot]) {
       list.index_[at] = kOrder[slot];
       list.face_[at] = record.face;
       for (const std::uint32_t ordinal : contact(record)) list.contact_[end++] = points.name(ordinal);
       list.first_[++at] = end;
     }
+    geometry::UnsetVector<Record>().swap(sorted[slot]);
   });
-  list.critical_ = {points.size(), records_[0].size(), records_[1].size(), records_[2].size()};
-  list.regular_ = {records_[3].size(), records_[4].size(), records_[5].size()};
+  list.critical_ = {points.size(), counts[0], counts[1], counts[2]};
+  list.regular_ = {counts[3], counts[4], counts[5]};
   return list;
 }
 

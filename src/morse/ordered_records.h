@@ -52,9 +52,17 @@ class OrderedRecords {
     if (are_small && key(a) != key(b)) return key(a) < key(b);
     return std::ranges::lexicographical_compare(contact(a), contact(b));
   }
-  [[nodiscard]] std::vector<Record> sorted(const std::vector<Record>& records) const;
+  using BySlot = std::array<std::vector<Record>, kOrder.size()>;
 
-  std::array<std::vector<Record>, kOrder.size()> records_;
+  // Those of this object, and those that it has taken.
+  void for_each_record(std::size_t slot, const auto& use) const {
+    std::ranges::for_each(records_[slot], use);
+    for (const BySlot& taken : taken_) std::ranges::for_each(taken[slot], use);
+  }
+  void sort(std::size_t slot, std::span<Record> result) const;
+
+  BySlot records_;
+  std::vector<BySlot> taken_;
   std::span<const std::uint32_t> ordinals_;
   std::vector<std::vector<std::uint32_t>> large_;
 };
