@@ -1,5 +1,6 @@
 // `new` takes memory from malloc, and tells the system what of it is new. Small blocks are parts of the heap, which
-// grows by 32 MiB and never shrinks, so that it is told once of each part. What is larger than 4 MiB is mapped alone.
+// grows by 32 MiB and never shrinks, so that it is told once of each part. Threads have heaps of their own, and it is
+// told of all of such a heap. What is larger than 4 MiB is mapped alone.
 //
 // glibc does the same, if GLIBC_TUNABLES has glibc.malloc.hugetlb=1 before the program begins; no call asks for it.
 // jemalloc has a setting. But version 5.3 dies of a signal where an address space of 32 MiB is too small for it, which
@@ -26,6 +27,8 @@ namespace {
 
 constexpr std::size_t kMappedAlone = std::size_t{4} << 20;
 constexpr int kHeapGrowth = 32 << 20;
+// Where glibc has heaps for threads, each begins at a multiple of this.
+constexpr std::uintptr_t kHeapOfThread = std::uintptr_t{64} << 20;
 constexpr std::uintptr_t kPage = 4096;
 // Fewer addresses are not taken ahead of their use.
 constexpr rlim_t kManyAddresses = rlim_t{1} << 30;
@@ -48,6 +51,9 @@ void ask_for_huge_pages(std::uintptr_t begin, std::uintptr_t end) {
     if (begin < end) ask_for_huge_pages(begin, end);
   } else if (size >= kMappedAlone) {
     ask_for_huge_pages(block, block + size);
+  } else if (thread_local std::uintptr_t told = 0; told != (block & ~(kHeapOfThread - 1))) {
+    told = block & ~(kHeapOfThread - 1);
+    ask_for_huge_pages(told, told + kHeapOfThread);
   }
 }
 

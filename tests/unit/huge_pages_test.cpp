@@ -11,6 +11,7 @@
 #include <new>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace {
@@ -55,6 +56,9 @@ TEST(HugePages, AreAskedForOnceTheProgramHasBegun) {
   std::vector<std::unique_ptr<std::vector<std::byte>>> small;
   for (std::size_t i = 0; i < 80; ++i) small.push_back(std::make_unique<std::vector<std::byte>>(std::size_t{1} << 20));
   for (const auto& block : small) EXPECT_TRUE(is_huge(&(*block)[block->size() / 2])) << flags_at(block->data());
+  // A thread has another heap.
+  std::thread([&] { small.push_back(std::make_unique<std::vector<std::byte>>(std::size_t{3} << 20)); }).join();
+  EXPECT_TRUE(is_huge(&small.back()->back())) << flags_at(small.back()->data());
 }
 
 TEST(HugePages, NewAsksTheHandlerAndThrows) {
