@@ -202,7 +202,7 @@ class Report {
   [[nodiscard]] std::vector<std::uint32_t> wide_mouths(const Pocket& pocket) const {
     std::vector<std::uint32_t> mouths;
     for (const std::uint32_t mouth : pocket.mouths) {
-      if (probe_ && pockets_.squared_distances().is_at_least(mouth, probe_->squared_radius())) mouths.push_back(mouth);
+      if (probe_ && pockets_.squared_distances().compare(mouth, probe_->squared_radius()) >= 0) mouths.push_back(mouth);
     }
     std::ranges::stable_sort(mouths, std::ranges::greater{},
                              [this](std::uint32_t mouth) { return pockets_.squared_distances().rank(mouth); });

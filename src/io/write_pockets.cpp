@@ -198,7 +198,7 @@ void write_pocket_csv(std::ostream& out, const PocketsToWrite& what) {
     return csv_number(geometry::nearest_difference_of_roots(what.pockets.squared_distances().exact(record), 0));
   };
   const auto is_open = [&](std::uint32_t record) {
-    return !what.probe || what.pockets.squared_distances().is_at_least(record, what.probe->squared_radius());
+    return !what.probe || what.pockets.squared_distances().compare(record, what.probe->squared_radius()) >= 0;
   };
   out << "pocket,x,y,z,radius,depth,volume,maxima,mouths,widest,lining" << (what.probe ? ",open_mouths,kind" : "")
       << (what.atoms != nullptr ? ",residues" : "") << '\n';

@@ -21,7 +21,7 @@ using namespace morse;
 namespace {
 
 using Record = std::uint32_t;
-constexpr Record kNone = 0xffffffffu;
+constexpr Record kNone = Persistence::kNone;
 
 // Components of elements, of which those with lower numbers are older. Each is known by its eldest element.
 class Components {
@@ -63,6 +63,10 @@ class Pairing {
       ascending_[static_cast<std::size_t>(index_of(record))].push_back(record);
     }
   }
+
+  // Of each critical point of a pair, the other one.
+  [[nodiscard]] std::vector<Record>& partners() { return partner_; }
+  [[nodiscard]] std::vector<ColumnAddition>& additions() { return additions_; }
 
   std::vector<PersistencePair> pairs(unsigned threads) {
     geometry::parallel_for(2, threads, [this](std::size_t k) { k == 0 ? pair_components() : pair_voids(); });
@@ -201,8 +205,10 @@ class Pairing {
     std::vector<Record> one, other;
     const auto reduce = [&](Column column) {
       while (column.size > 0 && column_of[column.last()].size > 0) {
+        const Column& added = column_of[column.last()];
+        additions_.push_back({column.saddle, added.saddle});
         other.clear();
-        std::ranges::set_symmetric_difference(column.all(), column_of[column.last()].all(), std::back_inserter(other));
+        std::ranges::set_symmetric_difference(column.all(), added.all(), std::back_inserter(other));
         one.swap(other);
         column = {one.data(), static_cast<std::uint32_t>(one.size()), column.saddle};
       }
@@ -234,6 +240,7 @@ class Pairing {
   std::array<Record, 4> first_{};                 // by index: the first critical point
   std::array<std::vector<Record>, 4> ascending_;  // by index: by value, then by place in the list
   std::vector<Record> partner_;                   // kNone: there is none, or none yet
+  std::vector<ColumnAddition> additions_;
 };
 
 }  // namespace
@@ -242,7 +249,10 @@ Persistence::Persistence(const PointSet& points, const StationaryPoints& station
                          unsigned threads)
     : distances_(points, stationary, threads) {
   const geometry::IeeeDoubles ieee;
-  pairs_ = Pairing(points, stationary, links, distances_).pairs(threads);
+  Pairing pairing(points, stationary, links, distances_);
+  pairs_ = pairing.pairs(threads);
+  partner_ = std::move(pairing.partners());
+  additions_ = std::move(pairing.additions());
 }
 
 Persistence::Persistence(const PointSet& points, const StationaryPoints& stationary, const ChainComplex& complex,

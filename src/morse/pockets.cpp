@@ -310,7 +310,7 @@ double Pockets::depth(const Pocket& pocket) const {
 
 Passage Pockets::passage(const Pocket& pocket, const Rational& squared_radius) const {
   const geometry::IeeeDoubles ieee;
-  const auto is_open = [&](std::uint32_t record) { return squared_distances().is_at_least(record, squared_radius); };
+  const auto is_open = [&](std::uint32_t record) { return squared_distances().compare(record, squared_radius) >= 0; };
   if (!is_open(pocket.to_infinity.gates.front())) return Passage::kCavity;
   return std::ranges::count_if(pocket.mouths, is_open) > 1 ? Passage::kChannel : Passage::kPocket;
 }

@@ -205,15 +205,15 @@ Rational SquaredDistances::exact(std::size_t record) const {
   return exact_squared_radius(*points_, stationary_->contact(record));
 }
 
-bool SquaredDistances::is_at_least(std::size_t record, const Rational& number) const {
+std::strong_ordering SquaredDistances::compare(std::size_t record, const Rational& number) const {
   const geometry::IeeeDoubles ieee;
   const auto& [value, error] = approximate_[record];
   const double near = number.convert_to<double>();
   // The number is cut to a double, and the difference is rounded.
   const double all_errors = error + kRoundingShare * (value + std::fabs(near)) + 0x1p-1000;
-  if (value - near > all_errors) return true;
-  if (near - value > all_errors) return false;
-  return exact(record) >= number;
+  if (value - near > all_errors) return std::strong_ordering::greater;
+  if (near - value > all_errors) return std::strong_ordering::less;
+  return exact(record).compare(number) <=> 0;
 }
 
 // |sqrt(x) - sqrt(v)| <= |x - v| / sqrt(v), and at most the root of |x - v|. The roots and sums are rounded.

@@ -21,6 +21,7 @@
 
 #include "certify/viewer_claim.h"
 #include "flowcert/connections.h"
+#include "flowcert/loops.h"
 #include "flowcert/profile.h"
 #include "flowcert/reproducibility.h"
 #include "flowcert/stable_manifolds.h"
@@ -364,6 +365,13 @@ void add_manifolds(Calls& calls, const Made& m) {
   calls.add(
       "Persistence::Persistence", [&] { return Persistence(m.points, stationary, m.complex.chains()); }, pairs_text);
   calls.add("Persistence::squared_value", [&] { return m.complex.persistence().squared_value(m.upper); });
+  for (const PersistencePair& pair : m.complex.persistence().pairs()) {
+    if (pair.dimension != 1) continue;
+    calls.add("Loops::surface", [&, pair] {
+      const Rational birth = m.complex.persistence().squared_value(pair.birth);
+      return Loops(stationary, m.complex.links(), m.complex.persistence()).surface(pair, birth);
+    });
+  }
   calls.add(
       "UnstableSurfaces::UnstableSurfaces", [&] { return std::make_unique<UnstableSurfaces>(diagram, stationary); },
       [](const auto& made) { return result_text(made->size() == 0 ? UnstableSurface{} : made->set(0)); });
@@ -430,8 +438,8 @@ void add_pockets(Calls& calls, const Made& m) {
       "SquaredDistances::SquaredDistances", [&] { return SquaredDistances(m.points, m.complex.stationary()); },
       [&](const SquaredDistances& made) { return result_text(made.rank(m.upper)) + result_text(made.rank(0)); });
   calls.add("SquaredDistances::exact", [&] { return trees.squared_distances().exact(m.upper); });
-  calls.add("SquaredDistances::is_at_least",
-            [&] { return trees.squared_distances().is_at_least(m.upper, m.complex.sphere(m.upper).squared_radius); });
+  calls.add("SquaredDistances::compare",
+            [&] { return trees.squared_distances().compare(m.upper, m.complex.sphere(m.upper).squared_radius) >= 0; });
   calls.add("SquaredDistances::length", [&] {
     const auto [value, error] = trees.squared_distances().length(0, m.upper);
     return std::array{value, error};
@@ -634,7 +642,8 @@ const std::set<std::string> kWithoutDoubles = {
     "MergeTrees::pockets", "MergeTrees::components", "MergeTrees::squared_distances", "MergeTrees::stationary",
     "MergeTrees::maxima", "MergeTrees::record_of", "MergeTrees::peaks_above", "MergeTrees::peaks_above_sides",
     "MergeTrees::limits_above", "MergeTrees::saddles_down", "MergeTrees::upper_points_down", "Persistence::pairs",
-    "Persistence::squared_distances", "passage_text",
+    "Persistence::squared_distances", "Persistence::partner", "Persistence::additions", "Loops::Loops",
+    "Loops::boundary", "Loops::polygons", "passage_text",
     "Pockets::size", "Pockets::outside", "Pockets::squared_persistence", "Pockets::squared_distances",
     "SquaredDistances::ascending", "SquaredDistances::rank", "SquaredDistances::approximation",
     "SquaredDistances::prefetch", "back_kind_text",

@@ -141,11 +141,12 @@ TEST(SquaredDistances, AreComparedWithNumbersExactly) {
   const SquaredDistances& distances = complex.merge_trees().squared_distances();
   for (std::size_t record = 0; record < complex.stationary().size(); ++record) {
     const Rational value = distances.exact(record);
-    EXPECT_TRUE(distances.is_at_least(record, value));
-    EXPECT_FALSE(distances.is_at_least(
-        record, value + Rational(1, Rational(1e60).convert_to<boost::multiprecision::mpz_int>())));
-    EXPECT_TRUE(distances.is_at_least(record, value - Rational(1, 3)));
-    EXPECT_FALSE(distances.is_at_least(record, value + Rational(1, 3)));
+    const Rational little(1, Rational(1e60).convert_to<boost::multiprecision::mpz_int>());
+    EXPECT_EQ(distances.compare(record, value), std::strong_ordering::equal);
+    for (const Rational& more : {little, Rational(1, 3)}) {
+      EXPECT_EQ(distances.compare(record, value + more), std::strong_ordering::less);
+      EXPECT_EQ(distances.compare(record, value - more), std::strong_ordering::greater);
+    }
   }
 }
 

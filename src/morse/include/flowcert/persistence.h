@@ -24,6 +24,11 @@ struct PersistencePair {
   friend bool operator==(const PersistencePair&, const PersistencePair&) = default;
 };
 
+// The reduced column of one point of index 2 was added to that of another. Both are places in the list.
+struct ColumnAddition {
+  std::uint32_t to = 0, from = 0;
+};
+
 class Persistence {
  public:
   // Sorts all critical points by their exact values, and makes a reduction. This is cubic at worst in the number of
@@ -37,12 +42,21 @@ class Persistence {
 
   // Sorted by dimension, then birth. No pair has length zero.
   [[nodiscard]] const std::vector<PersistencePair>& pairs() const { return pairs_; }
+  // The other point of a critical point's pair.
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+  [[nodiscard]] std::uint32_t partner(std::size_t record) const { return partner_[record]; }
+  // How the boundaries of points of index 2 were reduced to those that close a tunnel each, without index-1 points that
+  // join components. Additions to one column follow one another, and columns ascend by the values of their points. The
+  // values descend at which the tunnels of what is added are born.
+  [[nodiscard]] const std::vector<ColumnAddition>& additions() const { return additions_; }
   // The exact value of a stationary point, computed anew each time.
   [[nodiscard]] Rational squared_value(std::size_t record) const { return distances_.exact(record); }
   [[nodiscard]] const SquaredDistances& squared_distances() const { return distances_; }
 
  private:
   SquaredDistances distances_;
+  std::vector<std::uint32_t> partner_;  // of critical points
+  std::vector<ColumnAddition> additions_;
   std::vector<PersistencePair> pairs_;
 };
 

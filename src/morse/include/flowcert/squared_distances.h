@@ -5,6 +5,7 @@
 // FC-PERS-01.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -31,8 +32,8 @@ class SquaredDistances {
   // All stationary points, by value, and then by place in the list.
   [[nodiscard]] std::span<const std::uint32_t> ascending() const { return ascending_; }
 
-  // Whether the value is at least this number.
-  [[nodiscard]] bool is_at_least(std::size_t record, const Rational& number) const;
+  // The value, compared with a number.
+  [[nodiscard]] std::strong_ordering compare(std::size_t record, const Rational& number) const;
 
   // |value - exact| <= error. The error is 0 where the value is exact.
   struct Approximation {

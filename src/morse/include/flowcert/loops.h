@@ -1,0 +1,49 @@
+// The loops that stand for persistence pairs of dimension 1, and the surfaces that fill them.
+//
+// Guarantees: exact, on every input. A surface is a set of critical points of index 2, whose stable manifolds it is made
+// of, and a loop a set of critical points of index 1: the boundary of the surface, mod 2. A surface at a level has the
+// death point of the pair and earlier points of index 2 whose own pairs are born above the level; its loop lies in
+// {d^2 <= level}. There is one such surface. Numbers of points are places in the list. Source: spec section 18 (clauses
+// FC-CYC).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "flowcert/persistence.h"
+#include "flowcert/rational.h"
+#include "flowcert/saddle_links.h"
+#include "flowcert/stationary_points.h"
+
+namespace flowcert {
+
+// Samples by name, each next to the one before, and the last one next to the first. No sample comes twice.
+using LoopPolygon = std::vector<PointId>;
+
+// Const access is safe from several threads.
+class Loops {
+ public:
+  // All are of one complex and must outlive this. O(critical points, and additions of the reduction).
+  Loops(const StationaryPoints& stationary, const SaddleLinks& links, const Persistence& persistence);
+
+  // Of a pair of dimension 1, whose birth and death may have any order among those of their values. The level is a
+  // squared distance from the birth on, and less than the death. Ascending. O(k log k) for k additions that make it.
+  [[nodiscard]] std::vector<std::uint32_t> surface(const PersistencePair& pair, const Rational& squared_level) const;
+  // The boundary of a surface. Ascending.
+  [[nodiscard]] std::vector<std::uint32_t> boundary(std::span<const std::uint32_t> surface) const;
+  // A loop as polygons without repetition (FC-CYC-05). Each begins with its least sample and goes to the lesser one of
+  // that one's neighbours.
+  [[nodiscard]] std::vector<LoopPolygon> polygons(std::span<const std::uint32_t> loop) const;
+
+ private:
+  const StationaryPoints* stationary_;
+  const SaddleLinks* links_;
+  const Persistence* persistence_;
+  std::size_t first_saddle_;
+  // Of each index-2 point: the points whose reduced columns were added to its own, in the order of adding.
+  std::vector<std::uint32_t> first_added_, added_;
+};
+
+}  // namespace flowcert
