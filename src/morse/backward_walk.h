@@ -38,6 +38,11 @@ class BackwardWalk {
     FrontNumber front = 0;                  // if it is not critical
   };
   [[nodiscard]] Back step(FrontNumber front, FacetName facet);
+  struct Step {
+    FrontNumber front;
+    FacetName facet;
+    Back back;
+  };
 
   [[nodiscard]] const Place& place(FrontNumber front) const { return fronts_[front].place; }
   [[nodiscard]] bool is_at_infinity(FrontNumber front) const {

@@ -53,16 +53,15 @@ class TieBreaker {
     }
   }
 
-  std::vector<std::uint32_t> chain() {
+  std::vector<BackwardWalk::Step> walk() {
     while (!tasks_.empty()) {
       const Task task = tasks_.back();
       tasks_.pop_back();
-      const BackwardWalk::Back back = walk_.step(task.front, task.facet);
-      if (back.critical) {
-        chain_.push_back(*back.critical);
-        continue;
-      }
+      BackwardWalk::Back back = walk_.step(task.front, task.facet);
       // A regular stationary point is no end here. The other sides of its polygon follow, or a path past it.
+      back.is_regular = false;
+      steps_.push_back({task.front, task.facet, back});
+      if (back.critical) continue;
       const Place place = walk_.place(back.front);
       if (place.kind == Place::Kind::kVertex) {
         for (const FacetName edge : path_between(diagram_, place.vertex, task.facet, ties_)) add(back.front, edge);
@@ -70,7 +69,7 @@ class TieBreaker {
         add_sides(back.front, place.edge);
       }
     }
-    return std::move(chain_);
+    return std::move(steps_);
   }
 
  private:
@@ -83,13 +82,13 @@ class TieBreaker {
   BackwardWalk& walk_;
   TieBreaking& ties_;
   std::vector<Task> tasks_;
-  std::vector<std::uint32_t> chain_;
+  std::vector<BackwardWalk::Step> steps_;
 };
 
 }  // namespace
 
-std::vector<std::uint32_t> tie_broken_boundary(const VoronoiDiagram& diagram, BackwardWalk& walk, FrontNumber root,
-                                               std::span<const VertexIndex> samples, TieBreaking& ties) {
+std::vector<BackwardWalk::Step> tie_broken_walk(const VoronoiDiagram& diagram, BackwardWalk& walk, FrontNumber root,
+                                                std::span<const VertexIndex> samples, TieBreaking& ties) {
   TieBreaker breaker(diagram, walk, ties);
   const Place place = walk.place(root);
   if (samples.size() > 3) {
@@ -97,7 +96,7 @@ std::vector<std::uint32_t> tie_broken_boundary(const VoronoiDiagram& diagram, Ba
   } else {
     for (std::size_t k = 0; k < 3; ++k) breaker.add(root, facet_name(samples[k], samples[(k + 1) % 3]));
   }
-  return breaker.chain();
+  return breaker.walk();
 }
 
 void add_mod_2(std::vector<std::uint32_t>& chain, std::vector<std::uint32_t>& sum) {

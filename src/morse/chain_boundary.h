@@ -38,10 +38,11 @@ class TieBreaking {
   bool is_random_;
 };
 
-// Returns records of index 1, some of them several times. root is the centre of the polygon with these samples.
-[[nodiscard]] std::vector<std::uint32_t> tie_broken_boundary(const VoronoiDiagram& diagram, BackwardWalk& walk,
-                                                             FrontNumber root, std::span<const VertexIndex> samples,
-                                                             TieBreaking& ties);
+// Returns the steps of the walk, each after that which leads to its front. Those that end at index-1 points are the
+// boundary, where one may come twice, from two sides. root is the centre of the polygon with these samples.
+[[nodiscard]] std::vector<BackwardWalk::Step> tie_broken_walk(const VoronoiDiagram& diagram, BackwardWalk& walk,
+                                                              FrontNumber root, std::span<const VertexIndex> samples,
+                                                              TieBreaking& ties);
 
 // Sorts `chain` and appends to `sum`, ascending, what is in `chain` an odd number of times.
 void add_mod_2(std::vector<std::uint32_t>& chain, std::vector<std::uint32_t>& sum);

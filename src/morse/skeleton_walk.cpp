@@ -53,7 +53,7 @@ void SkeletonWalk::follow() {
     ++size_.segments;
     const BackwardWalk::Back back = walk_.step(task.front, task.facet);
     if (is_recorded_) record_segment(task, back);
-    if (is_traced_) trace_.push_back({task, back});
+    if (is_traced_) trace_.push_back({task.front, task.facet, back});
     if (back.critical) {
       ends_.push_back(*back.critical);
       lengths_.push_back(walk_.depth(task.front) + 1);
@@ -109,13 +109,21 @@ const SkeletonSize& SkeletonWalk::walk(std::size_t record) {
   return size_;
 }
 
-std::vector<std::uint32_t> SkeletonWalk::tie_broken_ends(std::size_t record, TieBreaking& ties) {
+std::vector<BackwardWalk::Step> SkeletonWalk::tie_broken_steps(std::size_t record, TieBreaking& ties) {
   clear();
   std::vector<VertexIndex> samples;
   for (const PointId name : source_.stationary.contact(record)) {
     samples.push_back(source_.diagram.named(name));
   }
-  return tie_broken_boundary(faces_.diagram(), walk_, start(record), samples, ties);
+  return tie_broken_walk(faces_.diagram(), walk_, start(record), samples, ties);
+}
+
+std::vector<std::uint32_t> SkeletonWalk::tie_broken_ends(std::size_t record, TieBreaking& ties) {
+  std::vector<std::uint32_t> ends;
+  for (const BackwardWalk::Step& step : tie_broken_steps(record, ties)) {
+    if (step.back.critical) ends.push_back(*step.back.critical);
+  }
+  return ends;
 }
 
 std::size_t SkeletonWalk::depth() const {
@@ -242,6 +250,13 @@ RoundedSegments SkeletonWalk::rounded_segments(std::size_t record) {
   return rounded;
 }
 
+RoundedSegments SkeletonWalk::tie_broken_segments(std::size_t record, TieBreaking& ties) {
+  trace_ = tie_broken_steps(record, ties);
+  RoundedSegments rounded = rounded_trace();
+  clear();
+  return rounded;
+}
+
 // The flow leads from a point to one front, through one facet. So no two fronts of a walk are equal, unless both are
 // one Voronoi vertex.
 RoundedSegments SkeletonWalk::rounded_trace() {
@@ -259,9 +274,9 @@ RoundedSegments SkeletonWalk::rounded_trace() {
     if (is_new) at->second = add(flow_->rounded(walk_.location(front)), {});
     return at->second;
   };
-  for (const auto& [task, back] : trace_) {
-    const std::array<PointId, 2> samples = names(task.facet);
-    const std::uint32_t front = place_of(task.front);
+  for (const auto& [from, facet, back] : trace_) {
+    const std::array<PointId, 2> samples = names(facet);
+    const std::uint32_t front = place_of(from);
     std::uint32_t end = 0;
     if (back.critical) {
       end = add(rounded_sphere(source_.diagram.points(), samples, 1), {samples.begin(), samples.end()});
@@ -286,7 +301,7 @@ void SkeletonWalk::sort_by_exact_fronts(RoundedSegments& rounded) {
     if (x.samples != y.samples) return x.samples < y.samples;
     const double a = rounded.positions[x.front].sphere.center.x, b = rounded.positions[y.front].sphere.center.x;
     if (a != b) return a < b;
-    return flow_->exact(walk_.location(trace_[i].task.front)) < flow_->exact(walk_.location(trace_[j].task.front));
+    return flow_->exact(walk_.location(trace_[i].front)) < flow_->exact(walk_.location(trace_[j].front));
   });
   std::vector<RoundedSegments::Segment> sorted;
   sorted.reserve(order.size());

@@ -52,6 +52,8 @@ class SkeletonWalk {
   [[nodiscard]] StableSet<> set(std::size_t record);
   [[nodiscard]] StableSet<> set_of_infinity();
   [[nodiscard]] RoundedSegments rounded_segments(std::size_t record);
+  // The segments that the boundary is read from where ties are broken.
+  [[nodiscard]] RoundedSegments tie_broken_segments(std::size_t record, TieBreaking& ties);
 
   // Of the latest walk: its critical backs and the lengths of the orbits to them, and how many backs are regular.
   [[nodiscard]] std::vector<std::uint32_t>& ends() { return ends_; }
@@ -67,10 +69,6 @@ class SkeletonWalk {
   struct Task {
     FrontNumber front;
     FacetName facet;
-  };
-  struct Traced {
-    Task task;
-    BackwardWalk::Back back;
   };
   // A polygon that leads to the Voronoi vertex, or to infinity, at an end of its Voronoi edge.
   struct Source {
@@ -88,6 +86,7 @@ class SkeletonWalk {
   void follow();
   [[nodiscard]] FrontNumber front_of(const Source& source);
 
+  [[nodiscard]] std::vector<BackwardWalk::Step> tie_broken_steps(std::size_t record, TieBreaking& ties);
   [[nodiscard]] RoundedSegments rounded_trace();
   void sort_by_exact_fronts(RoundedSegments& rounded);
   void record_segment(const Task& task, const BackwardWalk::Back& back);
@@ -118,8 +117,8 @@ class SkeletonWalk {
   std::size_t regular_backs_ = 0;
   std::vector<Source> sources_of_intervals_;
   bool is_recorded_ = false, is_traced_ = false;
-  StableSet<> found_;          // if it is recorded
-  std::vector<Traced> trace_;  // all segments, if it is traced
+  StableSet<> found_;                      // if it is recorded
+  std::vector<BackwardWalk::Step> trace_;  // all segments, if it is traced
 };
 
 }  // namespace flowcert::morse

@@ -75,6 +75,7 @@ struct StableManifolds::Parts {
   std::size_t first_critical = 0, critical_count = 0, first_regular = 0;  // records
   std::vector<Set> sets;
   std::vector<Share> shares;
+  std::vector<std::pair<std::uint32_t, TieBreaking>> ties_before;  // by set: what its choices begin with
   StableStatistics statistics;
   WorkerPool<SkeletonWalk> workers;
 };
@@ -131,6 +132,7 @@ void StableManifolds::Parts::break_ties(SkeletonWalk& worker) {
   std::ranges::sort(tied);
   TieBreaking ties(options.seed, TieBreaking::Of::kStable);
   for (const std::uint32_t i : tied) {
+    ties_before.emplace_back(i, ties);
     std::vector<std::uint32_t> ends = worker.tie_broken_ends(sets[i].record, ties);
     set_boundary(sets[i], ends, 0);
   }
@@ -216,6 +218,15 @@ RoundedSegments StableManifolds::rounded_segments(std::size_t i) const {
   const geometry::IeeeDoubles ieee;
   const auto make = [this] { return parts_->make_walk(); };
   return parts_->workers.with(make, [&](SkeletonWalk& worker) { return worker.rounded_segments(record(i)); });
+}
+RoundedSegments StableManifolds::segments_to_boundary(std::size_t i) const {
+  const auto& tied = parts_->ties_before;
+  const auto at = std::ranges::lower_bound(tied, i, {}, [](const auto& one) { return std::size_t{one.first}; });
+  if (at == tied.end() || at->first != i) return rounded_segments(i);
+  const geometry::IeeeDoubles ieee;
+  TieBreaking ties = at->second;
+  const auto make = [this] { return parts_->make_walk(); };
+  return parts_->workers.with(make, [&](SkeletonWalk& worker) { return worker.tie_broken_segments(record(i), ties); });
 }
 std::size_t StableManifolds::size() const { return parts_->sets.size(); }
 std::size_t StableManifolds::record(std::size_t i) const { return parts_->at(i).record; }

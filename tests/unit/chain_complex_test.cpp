@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "flowcert/flow_complex.h"
@@ -62,6 +64,61 @@ TEST(ChainComplex, BoundariesOfDegenerateInputsAreModuloTwo) {
     }
   }
   EXPECT_GT(seen.maxima, 100u);
+}
+
+// A sample, or the contact set of an end, or a front by its place.
+using Corner = std::pair<int, std::vector<std::uint32_t>>;
+using Edges = std::set<std::pair<Corner, Corner>>;
+
+void add_edge(Edges& edges, const Corner& one, const Corner& other) {
+  const auto edge = std::minmax(one, other);
+  if (!edges.erase(edge)) edges.insert(edge);
+}
+
+Corner corner_of(const RoundedSegments& set, std::uint32_t place) {
+  const auto& end = set.positions[place].end;
+  return end.empty() ? Corner{2, {place}} : Corner{1, end};
+}
+
+// The boundary of two triangles for each segment, mod 2.
+Edges edges_of(const RoundedSegments& set) {
+  Edges edges;
+  for (const auto& [samples, front, back] : set.segments) {
+    const Corner from = corner_of(set, front), to = corner_of(set, back);
+    for (const PointId sample : samples) {
+      add_edge(edges, {0, {sample}}, from);
+      add_edge(edges, {0, {sample}}, to);
+      add_edge(edges, from, to);
+    }
+  }
+  return edges;
+}
+
+// Each edge of the boundary has its midpoint as a corner.
+TEST(ChainComplex, TrianglesEndAtTheBoundaryHoweverTiesAreBroken) {
+  CITES("FC-CHAIN-01", "FC-CHAIN-02");
+  std::size_t tied = 0, larger = 0;
+  for (const fuzz::Family& family : fuzz::families_and_stable_ones()) {
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+      const fuzz::Input input = fuzz::draw(family, seed, static_cast<int>(100 + 20 * seed));
+      const FlowComplex complex(property::point_set_of(input), {.seed = seed % 4});
+      const StableManifolds& stable = complex.stable();
+      for (std::size_t i = 0; i < complex.stationary().critical_counts()[2]; ++i) {
+        Edges expected;
+        for (const std::uint32_t edge : stable.boundary(i)) {
+          const auto ends = complex.stationary().contact(edge);
+          for (const PointId sample : ends) add_edge(expected, {0, {sample}}, {1, {ends.begin(), ends.end()}});
+        }
+        const RoundedSegments walked = stable.segments_to_boundary(i);
+        EXPECT_EQ(edges_of(walked), expected) << family.name << ", seed " << seed << ", set " << i;
+        const std::size_t whole = edges_of(stable.rounded_segments(i)).size();
+        tied += stable.has_vertex(i) ? 1 : 0;
+        larger += whole != expected.size() ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(tied, 50U);
+  EXPECT_GT(larger, 20U) << "otherwise whole skeletons would do";
 }
 
 // Larger inputs have voids that go around something and come back to one surface from both sides.

@@ -342,6 +342,7 @@ void add_manifolds(Calls& calls, const Made& m) {
             [&] { return m.complex.stable().set_of_record(m.complex.stable().record(0)); });
   calls.add("StableManifolds::set_of_infinity", [&] { return m.complex.stable().set_of_infinity(); });
   calls.add("StableManifolds::rounded_segments", [&] { return m.complex.stable().rounded_segments(0); });
+  calls.add("StableManifolds::segments_to_boundary", [&] { return m.complex.stable().segments_to_boundary(0); });
   const std::size_t record = m.complex.stable().record(0);
   const StableSet<> set = m.complex.stable().set(0);
   calls.add("boundary_walk", [&, set, record] {

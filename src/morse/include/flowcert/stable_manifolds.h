@@ -90,6 +90,9 @@ class StableManifolds {
   [[nodiscard]] StableSet<> set_of_infinity() const;
   // Its backward segments, in the nearest doubles. This takes much less time.
   [[nodiscard]] RoundedSegments rounded_segments(std::size_t i) const;
+  // Those from which the boundary of a critical point of index 2 is read: below a tie these are parts of the skeleton
+  // alone (FC-CHAIN-02). Mod 2, the boundary of their triangles, two for each, is the edges of boundary(i).
+  [[nodiscard]] RoundedSegments segments_to_boundary(std::size_t i) const;
 
   [[nodiscard]] const StableStatistics& statistics() const;
 
