@@ -109,7 +109,7 @@ std::vector<LoopPolygon> Loops::polygons(std::span<const std::uint32_t> loop) co
       LoopPolygon polygon(walk.begin() + static_cast<std::ptrdiff_t>(known->second), walk.end());
       for (std::size_t k = known->second + 1; k < walk.size(); ++k) place.erase(walk[k]);
       walk.resize(known->second + 1);
-      std::ranges::rotate(polygon, std::ranges::min_element(polygon));
+      std::rotate(polygon.begin(), std::ranges::min_element(polygon), polygon.end());
       if (polygon.back() < polygon[1]) std::reverse(polygon.begin() + 1, polygon.end());
       polygons.push_back(std::move(polygon));
     }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
-#include <ranges>
 #include <utility>
 
 #include "geometry/parallel_for.h"
@@ -26,8 +25,10 @@ void OrderedRecords::take(OrderedRecords other) {
   const auto first_large = static_cast<std::uint32_t>(large_.size());
   std::ranges::move(other.large_, std::back_inserter(large_));
   if (first_large > 0 && large_.size() > first_large) {
-    for (Record& record : other.records_ | std::views::join) {
-      if (record.size > record.small.size()) record.small[1] += first_large;
+    for (std::vector<Record>& records : other.records_) {
+      for (Record& record : records) {
+        if (record.size > record.small.size()) record.small[1] += first_large;
+      }
     }
   }
   taken_.push_back(std::move(other.records_));
