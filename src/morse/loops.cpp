@@ -12,6 +12,8 @@
 #include <utility>
 
 #include "geometry/floating_point.h"
+#include "geometry/ring.h"
+#include "morse/chain_boundary.h"
 #include "morse/layer.h"
 
 namespace flowcert {
@@ -66,15 +68,8 @@ std::vector<std::uint32_t> Loops::boundary(std::span<const std::uint32_t> surfac
     const auto lower = links_->lower(saddle - first_saddle_);
     edges.insert(edges.end(), lower.begin(), lower.end());
   }
-  std::ranges::sort(edges);
   std::vector<std::uint32_t> odd;
-  for (const std::uint32_t edge : edges) {
-    if (!odd.empty() && odd.back() == edge) {
-      odd.pop_back();
-    } else {
-      odd.push_back(edge);
-    }
-  }
+  add_mod_2(edges, odd);
   return odd;
 }
 
@@ -109,8 +104,7 @@ std::vector<LoopPolygon> Loops::polygons(std::span<const std::uint32_t> loop) co
       LoopPolygon polygon(walk.begin() + static_cast<std::ptrdiff_t>(known->second), walk.end());
       for (std::size_t k = known->second + 1; k < walk.size(); ++k) place.erase(walk[k]);
       walk.resize(known->second + 1);
-      std::rotate(polygon.begin(), std::ranges::min_element(polygon), polygon.end());
-      if (polygon.back() < polygon[1]) std::reverse(polygon.begin() + 1, polygon.end());
+      make_canonical(polygon);
       polygons.push_back(std::move(polygon));
     }
   }
