@@ -38,9 +38,13 @@ class BackwardWalk {
     FrontNumber front = 0;                  // if it is not critical
   };
   [[nodiscard]] Back step(FrontNumber front, FacetName facet);
-  struct Step {
+  // A step that is to be made, and one that was.
+  struct Task {
     FrontNumber front;
     FacetName facet;
+  };
+  struct Step {
+    Task task;
     Back back;
   };
 

@@ -60,7 +60,7 @@ class TieBreaker {
       BackwardWalk::Back back = walk_.step(task.front, task.facet);
       // A regular stationary point is no end here. The other sides of its polygon follow, or a path past it.
       back.is_regular = false;
-      steps_.push_back({task.front, task.facet, back});
+      steps_.push_back({task, back});
       if (back.critical) continue;
       const Place place = walk_.place(back.front);
       if (place.kind == Place::Kind::kVertex) {
@@ -73,10 +73,7 @@ class TieBreaker {
   }
 
  private:
-  struct Task {
-    FrontNumber front;
-    FacetName facet;
-  };
+  using Task = BackwardWalk::Task;
 
   const VoronoiDiagram& diagram_;
   BackwardWalk& walk_;

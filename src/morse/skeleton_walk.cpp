@@ -53,7 +53,7 @@ void SkeletonWalk::follow() {
     ++size_.segments;
     const BackwardWalk::Back back = walk_.step(task.front, task.facet);
     if (is_recorded_) record_segment(task, back);
-    if (is_traced_) trace_.push_back({task.front, task.facet, back});
+    if (is_traced_) trace_.push_back({task, back});
     if (back.critical) {
       ends_.push_back(*back.critical);
       lengths_.push_back(walk_.depth(task.front) + 1);
@@ -274,9 +274,9 @@ RoundedSegments SkeletonWalk::rounded_trace() {
     if (is_new) at->second = add(flow_->rounded(walk_.location(front)), {});
     return at->second;
   };
-  for (const auto& [from, facet, back] : trace_) {
-    const std::array<PointId, 2> samples = names(facet);
-    const std::uint32_t front = place_of(from);
+  for (const auto& [task, back] : trace_) {
+    const std::array<PointId, 2> samples = names(task.facet);
+    const std::uint32_t front = place_of(task.front);
     std::uint32_t end = 0;
     if (back.critical) {
       end = add(rounded_sphere(source_.diagram.points(), samples, 1), {samples.begin(), samples.end()});
@@ -301,7 +301,7 @@ void SkeletonWalk::sort_by_exact_fronts(RoundedSegments& rounded) {
     if (x.samples != y.samples) return x.samples < y.samples;
     const double a = rounded.positions[x.front].sphere.center.x, b = rounded.positions[y.front].sphere.center.x;
     if (a != b) return a < b;
-    return flow_->exact(walk_.location(trace_[i].front)) < flow_->exact(walk_.location(trace_[j].front));
+    return flow_->exact(walk_.location(trace_[i].task.front)) < flow_->exact(walk_.location(trace_[j].task.front));
   });
   std::vector<RoundedSegments::Segment> sorted;
   sorted.reserve(order.size());

@@ -66,10 +66,7 @@ class SkeletonWalk {
   [[nodiscard]] std::size_t depth() const;
 
  private:
-  struct Task {
-    FrontNumber front;
-    FacetName facet;
-  };
+  using Task = BackwardWalk::Task;
   // A polygon that leads to the Voronoi vertex, or to infinity, at an end of its Voronoi edge.
   struct Source {
     CellIndex cluster;  // kNoCell: infinity
