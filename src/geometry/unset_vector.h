@@ -1,6 +1,6 @@
 // A vector that is made with items that nobody has set.
 //
-// Of a large array the system clears each page when it is first written to. Where threads fill the parts of an array,
+// The system clears each page of a large array when it is first written to. Where threads fill the parts of an array,
 // they share that work, too, and nothing is written twice.
 #pragma once
 

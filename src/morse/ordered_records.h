@@ -54,7 +54,7 @@ class OrderedRecords {
   }
   using BySlot = std::array<std::vector<Record>, kOrder.size()>;
 
-  // Those of this object, and those that it has taken.
+  // Calls use(record) for the records of this object, and for those that it has taken.
   void for_each_record(std::size_t slot, const auto& use) const {
     std::ranges::for_each(records_[slot], use);
     for (const BySlot& taken : taken_) std::ranges::for_each(taken[slot], use);

@@ -64,7 +64,7 @@ class Pairing {
     }
   }
 
-  // Of each critical point of a pair, the other one.
+  // The other point of each critical point's pair.
   [[nodiscard]] std::vector<Record>& partners() { return partner_; }
   [[nodiscard]] std::vector<ColumnAddition>& additions() { return additions_; }
 

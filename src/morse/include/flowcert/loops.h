@@ -28,8 +28,9 @@ class Loops {
   // All are of one complex and must outlive this. O(critical points, and additions of the reduction).
   Loops(const StationaryPoints& stationary, const SaddleLinks& links, const Persistence& persistence);
 
-  // Of a pair of dimension 1, whose birth and death may have any order among those of their values. The level is a
-  // squared distance from the birth on, and less than the death. Ascending. O(k log k) for k additions that make it.
+  // The pair has dimension 1. The level is a squared distance, at least that of the birth and less than that of the
+  // death. The surface ascends. O(k log k) for k additions that make it. Throws std::invalid_argument for a pair of
+  // another dimension.
   [[nodiscard]] std::vector<std::uint32_t> surface(const PersistencePair& pair, const Rational& squared_level) const;
   // The boundary of a surface. Ascending.
   [[nodiscard]] std::vector<std::uint32_t> boundary(std::span<const std::uint32_t> surface) const;
@@ -42,7 +43,7 @@ class Loops {
   const SaddleLinks* links_;
   const Persistence* persistence_;
   std::size_t first_saddle_;
-  // Of each index-2 point: the points whose reduced columns were added to its own, in the order of adding.
+  // Each index-2 point has here the points whose reduced columns were added to its own, in the order of adding.
   std::vector<std::uint32_t> first_added_, added_;
 };
 
