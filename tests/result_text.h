@@ -24,9 +24,10 @@
 #include "flowcert/pockets.h"
 #include "flowcert/read_points.h"
 #include "flowcert/surface.h"
+#include "io/cell_surfaces.h"
+#include "io/cycles.h"
 #include "io/medial_points.h"
 #include "io/pocket_persistence.h"
-#include "io/pocket_surfaces.h"
 #include "io/surface_selection.h"
 #include "io/vtk_exports.h"
 #include "morse/explain.h"
@@ -96,13 +97,17 @@ inline auto fields(const HistogramValley& v) { return std::tie(v.bin, v.below, v
 inline auto fields(const AutomaticThreshold& t) { return std::tie(t.valley); }
 inline auto fields(const MedialPoints& m) { return std::tie(m.records, m.automatic_persistence, m.automatic_radius); }
 inline auto fields(const PocketPersistence& p) { return std::tie(p.square, p.automatic); }
-inline auto fields(const PocketSurface& s) { return std::tie(s.vertices, s.triangles); }
+inline auto fields(const CellSurface& s) { return std::tie(s.vertices, s.triangles); }
 inline auto fields(const TriangleEdges& e) {
   return std::tie(e.boundary, e.manifold, e.non_manifold, e.components, e.without_orientation);
 }
 inline auto fields(const SurfaceMesh& m) {
-  return std::tie(m.vertices, m.squared_distances, m.triangles, m.set_of_triangle, m.edges);
+  return std::tie(m.vertices, m.squared_distances, m.samples, m.triangles, m.set_of_triangle, m.edges);
 }
+inline auto fields(const LoopWitness& w) { return std::tie(w.surface, w.loop, w.cocycle, w.met); }
+inline auto fields(const Void& v) { return std::tie(v.maxima, v.cell, v.walls); }
+inline auto fields(const LoopCycle& c) { return std::tie(c.surface, c.edges, c.polygons); }
+inline auto fields(const Cycle& c) { return std::tie(c.pair, c.chain); }
 inline auto fields(const SurfaceThresholds& t) {
   return std::tie(t.squared_radius_below, t.squared_persistence_above, t.automatic_radius, t.automatic_persistence);
 }

@@ -157,6 +157,13 @@ std::string atoms_of_contact(const AtomNames& atoms, std::span<const PointId> ro
   return fmt::format(" ({}{})", fmt::join(texts, ", "), rows.size() > kShown ? ", ..." : "");
 }
 
+std::string contact_text(const AtomNames& atoms, std::span<const PointId> rows) {
+  constexpr std::size_t kShown = 4;
+  std::string text = fmt::format("{}", fmt::join(rows.first(std::min(kShown, rows.size())), " "));
+  if (rows.size() > kShown) text += fmt::format(" and {} more", rows.size() - kShown);
+  return text + atoms_of_contact(atoms, rows);
+}
+
 FlowOptions FlowChoice::options() const {
   return {.kernel = kernel == "exact"  ? ConstructionKernel::kExact
                     : kernel == "lazy" ? ConstructionKernel::kLazy

@@ -35,6 +35,7 @@ inline constexpr char kViewPurpose[] = "The complex in a browser, with what is w
 // Each function adds its subcommand, options and callback, which throws InvalidInput or OutputError. Where the exit
 // status can be another than kRight, the callback sets it.
 void add_compute_command(CLI::App& app);
+void add_cycles_command(CLI::App& app);
 void add_explain_command(CLI::App& app, int& status);
 void add_help_command(CLI::App& app);
 void add_locate_command(CLI::App& app);
@@ -90,6 +91,8 @@ void print_point_counts(const PointSet& points);
 
 // " (A GLY 12 CA, ...)": the first of these rows as the molecule's file names them, or nothing where it is none.
 [[nodiscard]] std::string atoms_of_contact(const AtomNames& atoms, std::span<const PointId> rows);
+// "3 17 20 46 and 2 more (A GLY 12 CA, ...)": a contact set in a table.
+[[nodiscard]] std::string contact_text(const AtomNames& atoms, std::span<const PointId> rows);
 
 // The argument INPUT and the options that say how it is read.
 void add_input_options(CLI::App& command, InputOptions& options,

@@ -158,7 +158,7 @@ std::string overview(const CLI::App& app) {
   const DescribedCommand program = described(app);
   std::size_t width = 0;
   for (const DescribedCommand& command : program.commands) width = std::max(width, command.last_name().size());
-  std::string text = program.description + '\n';
+  std::string text;
   for (const auto& [group, lines] : lines_by_group(program, width + 4)) {
     if (group != kSetUpGroup) text += group + '\n' + lines;
   }

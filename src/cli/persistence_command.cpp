@@ -24,6 +24,7 @@
 #include "io/json_fields.h"
 #include "io/ordered_text.h"
 #include "io/output_file.h"
+#include "morse/longest_pairs.h"
 #include "morse/saddle_radii.h"
 
 namespace flowcert::cli {
@@ -64,34 +65,18 @@ constexpr std::size_t kLongestPairs = 5;  // of each dimension
 
 // Those that last come first. Of equally long pairs, the first in the list come first.
 std::vector<PersistencePair> longest_pairs(const Persistence& persistence, int dimension) {
-  std::vector<PersistencePair> longest;
-  std::vector<morse::PairEnds> ends;
+  std::vector<PersistencePair> longest, ending;
   for (const PersistencePair& pair : persistence.pairs()) {
     if (pair.dimension != dimension) continue;
     if (pair.death) {
-      ends.push_back({pair.birth, *pair.death});
+      ending.push_back(pair);
     } else if (longest.size() < kLongestPairs) {
       longest.push_back(pair);
     }
   }
-  const SquaredDistances& values = persistence.squared_distances();
-  ends = morse::perhaps_longest(values, std::move(ends), kLongestPairs);
-  const morse::ValueOrder order = morse::length_order(values, ends);
-  for (std::size_t k = order.size(); k > 0 && longest.size() < kLongestPairs; --k) {
-    const auto& [birth, death] = ends[order.at(k - 1)];
-    longest.push_back({dimension, static_cast<std::uint32_t>(birth), static_cast<std::uint32_t>(death)});
-  }
+  const auto next = morse::longest_pairs(persistence.squared_distances(), ending, kLongestPairs - longest.size());
+  longest.insert(longest.end(), next.begin(), next.end());
   return longest;
-}
-
-// The first of a contact set, and how many there are beside these.
-std::string contact_text(const StationaryPoints& stationary, std::size_t record) {
-  constexpr std::size_t kShown = 4;
-  const auto contact = stationary.contact(record);
-  const auto shown = contact.first(std::min(kShown, contact.size()));
-  std::string text = fmt::format("{}", fmt::join(shown, " "));
-  if (contact.size() > kShown) text += fmt::format(" and {} more", contact.size() - kShown);
-  return text;
 }
 
 // What a person reads is not squared.
@@ -103,9 +88,7 @@ void print_longest_pairs(const Input& input, const FlowComplex& complex) {
   const Persistence& persistence = complex.persistence();
   const StationaryPoints& stationary = complex.stationary();
   const FixedDecimals decimals(morse::squared_spacing(complex, persistence.squared_distances()));
-  const auto place = [&](std::size_t record) {
-    return contact_text(stationary, record) + atoms_of_contact(input.file.atoms, stationary.contact(record));
-  };
+  const auto place = [&](std::size_t record) { return contact_text(input.file.atoms, stationary.contact(record)); };
   Table table("rrrrll", {"dimension", "length", "birth", "death", "born at", "dies at"});
   for (int dimension = 0; dimension < 3; ++dimension) {
     for (const PersistencePair& pair : longest_pairs(persistence, dimension)) {

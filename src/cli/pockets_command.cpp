@@ -18,10 +18,10 @@
 #include "cli/pockets_report.h"
 #include "cli/progress.h"
 #include "flowcert/flow_complex.h"
+#include "io/cell_surfaces.h"
 #include "io/number_text.h"
 #include "io/output_file.h"
 #include "io/pocket_persistence.h"
-#include "io/pocket_surfaces.h"
 #include "io/region_exports.h"
 #include "io/write_pockets.h"
 
@@ -82,7 +82,7 @@ struct PocketsRun {
 void write_files(const PocketsOptions& options, const PocketsRun& run, const PocketsToWrite& what) {
   make_directory(options.directory);
   const UnstructuredGrid grid = pocket_cell_data(run.complex, *run.pockets);
-  const std::vector<PocketSurface> surfaces = pocket_surfaces(run.complex, *run.pockets);
+  const std::vector<CellSurface> surfaces = cell_surfaces(run.complex, run.pockets->cells());
   const auto write = [&](const std::string& name, const WriteExport& how) {
     write_export(options.directory, name, run.complex, how);
   };

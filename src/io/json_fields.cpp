@@ -101,23 +101,26 @@ Json stable_field(const StationaryPoints& stationary, const StableManifolds& s2,
   return field;
 }
 
+Json critical_point_field(const FlowComplex& complex, std::size_t record, const Rational& squared_distance) {
+  Json field;
+  field["record"] = record;
+  field["contact"] = complex.stationary().contact(record);
+  field["center"] = center_field(complex.sphere(record).center);
+  const Point nearest = complex.rounded_sphere(record).center;
+  field["center_double"] = {double_field(nearest.x), double_field(nearest.y), double_field(nearest.z)};
+  field["squared_distance"] = to_text(squared_distance);
+  field["squared_distance_double"] = double_field(nearest_or_infinity(squared_distance));
+  return field;
+}
+
 Json pair_field(const PersistenceDiagram& diagram, const PersistencePair& pair) {
-  const auto point_field = [&](std::size_t record) {
-    Json field;
-    field["record"] = record;
-    field["contact"] = diagram.complex().stationary().contact(record);
-    const FlowComplex& complex = diagram.complex();
-    field["center"] = center_field(complex.sphere(record).center);
-    const Point nearest = complex.rounded_sphere(record).center;
-    field["center_double"] = {double_field(nearest.x), double_field(nearest.y), double_field(nearest.z)};
-    field["squared_distance"] = to_text(diagram.squared_value(record));
-    field["squared_distance_double"] = double_field(diagram.rounded_squared_value(record));
-    return field;
+  const auto end_field = [&](std::size_t record) {
+    return critical_point_field(diagram.complex(), record, diagram.squared_value(record));
   };
   Json field;
   field["dimension"] = pair.dimension;
-  field["birth"] = point_field(pair.birth);
-  field["death"] = pair.death ? point_field(*pair.death) : Json(nullptr);
+  field["birth"] = end_field(pair.birth);
+  field["death"] = pair.death ? end_field(*pair.death) : Json(nullptr);
   return field;
 }
 

@@ -47,6 +47,9 @@ void add_counts(Json& object, const PointSet& points, const StationaryPoints& st
 // The object `stable`: what is known of the i-th set without its geometry.
 [[nodiscard]] Json stable_field(const StationaryPoints& stationary, const StableManifolds& s2, std::size_t i);
 
+// A critical point with its value, exact, and the doubles nearest to these.
+[[nodiscard]] Json critical_point_field(const FlowComplex& complex, std::size_t record,
+                                        const Rational& squared_distance);
 // A pair: its exact values, and the doubles nearest to them.
 [[nodiscard]] Json pair_field(const PersistenceDiagram& diagram, const PersistencePair& pair);
 

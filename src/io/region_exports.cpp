@@ -37,76 +37,86 @@ std::map<Samples, std::size_t> records_of_facets(const FlowComplex& complex) {
   return records;
 }
 
-// By stationary point: the number of the pocket whose cell has its stable set, or -1.
-std::vector<std::int64_t> pocket_of_records(const FlowComplex& complex, const Pockets& pockets) {
-  std::vector<std::int64_t> pocket_of(complex.stationary().size(), -1);
-  for (std::size_t number = 0; number < pockets.size(); ++number) {
-    for (const std::uint32_t record : pockets[number].cell) pocket_of[record] = static_cast<std::int64_t>(number);
+// By stationary point: the numbers of the cells that have its stable set, ascending.
+using NumbersOf = std::vector<std::vector<std::int64_t>>;
+
+NumbersOf numbers_of_records(const FlowComplex& complex, const std::vector<std::span<const std::uint32_t>>& cells) {
+  NumbersOf numbers_of(complex.stationary().size());
+  for (std::size_t number = 0; number < cells.size(); ++number) {
+    for (const std::uint32_t record : cells[number]) numbers_of[record].push_back(static_cast<std::int64_t>(number));
   }
-  return pocket_of;
+  return numbers_of;
 }
 
-// The pyramids of the stable sets that are wanted, with two arrays: where each of them flows to, and its sample.
-template <typename IsWanted>
-UnstructuredGrid pyramids(const FlowComplex& complex, const IsWanted& is_wanted, std::vector<std::int64_t>& limits) {
+template <typename Numbers>
+CellGrid pyramids(const FlowComplex& complex, const Numbers& numbers_of) {
   StableRegions regions(complex.diagram(), complex.limits());
   CornerNumbers numbers(complex, regions);
   PyramidSet cells;
+  CellGrid made;
   std::vector<std::int64_t> corners, samples;
   regions.visit([&](const StableRegion& region) {
-    if (!region.limit || !is_wanted(*region.limit)) return;
+    if (!region.limit || std::ranges::empty(numbers_of(*region.limit))) return;
     corners.clear();
     for (const RegionCorner& corner : region.corners) corners.push_back(numbers.of(region, corner));
-    for (const std::size_t side : {1U, 0U}) {
-      const PointId sample = region.samples[side];
-      const std::size_t count = cells.append(corners, numbers.of_sample(sample));
-      limits.insert(limits.end(), count, static_cast<std::int64_t>(*region.limit));
-      samples.insert(samples.end(), count, static_cast<std::int64_t>(sample));
-      std::ranges::reverse(corners);
+    for (const std::int64_t number : numbers_of(*region.limit)) {
+      for (const std::size_t side : {1U, 0U}) {
+        const PointId sample = region.samples[side];
+        const std::size_t count = cells.append(corners, numbers.of_sample(sample));
+        made.limits.insert(made.limits.end(), count, static_cast<std::int64_t>(*region.limit));
+        made.numbers.insert(made.numbers.end(), count, number);
+        samples.insert(samples.end(), count, static_cast<std::int64_t>(sample));
+        std::ranges::reverse(corners);
+      }
     }
   });
-  UnstructuredGrid grid = cells.take();
-  grid.points = numbers.take_points();
-  grid.cell_data.push_back({"maximum", limits});
-  grid.cell_data.push_back({"sample", std::move(samples)});
-  return grid;
+  made.grid = cells.take();
+  made.grid.points = numbers.take_points();
+  made.grid.cell_data.push_back({"maximum", made.limits});
+  made.grid.cell_data.push_back({"sample", std::move(samples)});
+  return made;
 }
 
 }  // namespace
 
 UnstructuredGrid stable_cell_data(const FlowComplex& complex) {
   const geometry::IeeeDoubles ieee;
-  std::vector<std::int64_t> limits;
-  UnstructuredGrid grid = pyramids(complex, [](std::size_t) { return true; }, limits);
+  CellGrid made = pyramids(complex, [](std::size_t) { return std::array{std::int64_t{0}}; });
   std::vector<double> volumes;
-  volumes.reserve(limits.size());
-  for (const std::int64_t limit : limits) {
+  volumes.reserve(made.limits.size());
+  for (const std::int64_t limit : made.limits) {
     volumes.push_back(finite(complex.volumes().nearest(static_cast<std::size_t>(limit))));
   }
-  grid.cell_data.push_back({"volume", std::move(volumes)});
-  return grid;
+  made.grid.cell_data.push_back({"volume", std::move(volumes)});
+  return std::move(made.grid);
+}
+
+CellGrid cell_grid(const FlowComplex& complex, const std::vector<std::span<const std::uint32_t>>& cells) {
+  const geometry::IeeeDoubles ieee;
+  const NumbersOf numbers_of = numbers_of_records(complex, cells);
+  return pyramids(complex, [&](std::size_t limit) -> const auto& { return numbers_of[limit]; });
+}
+
+VtpArray array_by_number(const std::string& name, const std::vector<std::int64_t>& numbers,
+                         const std::vector<double>& value_of) {
+  std::vector<double> values;
+  values.reserve(numbers.size());
+  for (const std::int64_t number : numbers) values.push_back(value_of[static_cast<std::size_t>(number)]);
+  return {name, std::move(values)};
 }
 
 UnstructuredGrid pocket_cell_data(const FlowComplex& complex, const Pockets& pockets) {
   const geometry::IeeeDoubles ieee;
-  const std::vector<std::int64_t> pocket_of = pocket_of_records(complex, pockets);
-  std::vector<std::int64_t> limits, numbers;
-  UnstructuredGrid grid = pyramids(complex, [&](std::size_t limit) { return pocket_of[limit] >= 0; }, limits);
+  CellGrid made = cell_grid(complex, pockets.cells());
   std::vector<double> volumes, depths;
-  std::vector<double> volume_of, depth_of;
   for (std::size_t number = 0; number < pockets.size(); ++number) {
-    volume_of.push_back(finite(complex.volumes().nearest_sum(pockets[number].cell)));
-    depth_of.push_back(finite(pockets.depth(pockets[number])));
+    volumes.push_back(finite(complex.volumes().nearest_sum(pockets[number].cell)));
+    depths.push_back(finite(pockets.depth(pockets[number])));
   }
-  for (const std::int64_t limit : limits) {
-    numbers.push_back(pocket_of[static_cast<std::size_t>(limit)]);
-    volumes.push_back(volume_of[static_cast<std::size_t>(numbers.back())]);
-    depths.push_back(depth_of[static_cast<std::size_t>(numbers.back())]);
-  }
-  grid.cell_data.push_back({"pocket", std::move(numbers)});
-  grid.cell_data.push_back({"volume", std::move(volumes)});
-  grid.cell_data.push_back({"depth", std::move(depths)});
-  return grid;
+  made.grid.cell_data.push_back({"pocket", made.numbers});
+  made.grid.cell_data.push_back(array_by_number("volume", made.numbers, volumes));
+  made.grid.cell_data.push_back(array_by_number("depth", made.numbers, depths));
+  return std::move(made.grid);
 }
 
 PolyData unstable_fan_data(const FlowComplex& complex) {

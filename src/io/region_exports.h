@@ -5,7 +5,11 @@
 // InvalidInput. Points are one iff their exact positions are equal. Cells have VTK's orientation, by exact positions.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "flowcert/flow_complex.h"
 #include "flowcert/pockets.h"
@@ -16,6 +20,17 @@ namespace flowcert {
 
 // Makes limits and volumes.
 [[nodiscard]] UnstructuredGrid stable_cell_data(const FlowComplex& complex);
+// Cells of pockets or voids (FC-POCK-03), with the arrays `maximum`, where each pyramid flows to, and `sample`. What is
+// in several cells comes once for each of them.
+struct CellGrid {
+  UnstructuredGrid grid;
+  std::vector<std::int64_t> limits, numbers;  // of each pyramid: where it flows to, and which cell it is of
+};
+// Makes limits.
+[[nodiscard]] CellGrid cell_grid(const FlowComplex& complex, const std::vector<std::span<const std::uint32_t>>& cells);
+// An array that has a value for each of these numbers.
+[[nodiscard]] VtpArray array_by_number(const std::string& name, const std::vector<std::int64_t>& numbers,
+                                       const std::vector<double>& value_of);
 // The cells of pockets, each with the number of its pocket, that pocket's volume, and its depth in squared distances.
 // Makes limits and volumes.
 [[nodiscard]] UnstructuredGrid pocket_cell_data(const FlowComplex& complex, const Pockets& pockets);

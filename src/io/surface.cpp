@@ -67,14 +67,15 @@ class MeshBuilder {
 
   std::uint32_t end_vertex(const std::vector<PointId>& contact, const RoundedSphere& sphere) {
     const auto [at, is_new] = ends_.try_emplace(contact, kNone);
-    if (is_new) at->second = new_vertex(sphere);
+    if (is_new) at->second = new_vertex(sphere, contact.size() == 1 ? std::optional(contact.front()) : std::nullopt);
     return at->second;
   }
 
-  std::uint32_t new_vertex(const RoundedSphere& sphere) {
+  std::uint32_t new_vertex(const RoundedSphere& sphere, std::optional<PointId> sample = std::nullopt) {
     const auto next = static_cast<std::uint32_t>(mesh_.vertices.size());
     if (next >= kMostNumbers) throw InvalidInput("a surface of more than 2^31 - 1 vertices cannot be written");
     mesh_.vertices.push_back(finite(sphere.center));
+    mesh_.samples.push_back(sample);
     const bool is_finite = std::isfinite(sphere.squared_radius);
     mesh_.squared_distances.push_back(is_finite ? std::optional(sphere.squared_radius) : std::nullopt);
     return next;
@@ -86,16 +87,29 @@ class MeshBuilder {
   SurfaceMesh mesh_;
 };
 
-}  // namespace
-
-SurfaceMesh surface_mesh(const FlowComplex& complex, std::span<const std::size_t> sets, const Progress& progress) {
+template <class SegmentsOf>
+SurfaceMesh mesh_of(const FlowComplex& complex, std::span<const std::size_t> sets, const Progress& progress,
+                    const SegmentsOf& segments_of) {
   const geometry::IeeeDoubles ieee;
   MeshBuilder builder(complex.points());
   for (std::size_t k = 0; k < sets.size(); ++k) {
-    builder.add(sets[k], complex.stable().rounded_segments(sets[k]));
+    builder.add(sets[k], segments_of(sets[k]));
     if (progress) progress(k + 1, sets.size());
   }
   return builder.take();
+}
+
+}  // namespace
+
+SurfaceMesh surface_mesh(const FlowComplex& complex, std::span<const std::size_t> sets, const Progress& progress) {
+  return mesh_of(complex, sets, progress, [&](std::size_t set) { return complex.stable().rounded_segments(set); });
+}
+
+SurfaceMesh loop_surface_mesh(const FlowComplex& complex, std::span<const std::uint32_t> surface) {
+  const auto& counts = complex.stationary().critical_counts();
+  std::vector<std::size_t> sets;
+  for (const std::uint32_t saddle : surface) sets.push_back(saddle - counts[0] - counts[1]);
+  return mesh_of(complex, sets, {}, [&](std::size_t set) { return complex.stable().segments_to_boundary(set); });
 }
 
 void write_ply(std::ostream& out, const SurfaceMesh& mesh, const std::string& comment) {

@@ -8,7 +8,7 @@
 
 #include "flowcert/surface.h"
 #include "geometry/difference_of_roots.h"
-#include "io/pocket_surfaces.h"
+#include "io/cell_surfaces.h"
 #include "io/viewer_parts.h"
 
 namespace flowcert::io {
@@ -43,7 +43,7 @@ Numbers deepest(const Pockets& pockets, std::size_t most) {
 
 Json surfaces_field(const FlowComplex& complex, const ViewerFrame& frame, const Pockets& pockets,
                     const Numbers& chosen) {
-  const std::vector<PocketSurface> surfaces = pocket_surfaces(complex, pockets);
+  const std::vector<CellSurface> surfaces = cell_surfaces(complex, pockets.cells());
   Numbers offsets = {0}, triangles;
   std::vector<float> vertices;
   for (const std::uint32_t number : chosen) {

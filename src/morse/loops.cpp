@@ -4,10 +4,9 @@
 #include "flowcert/loops.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
+#include <optional>
 #include <queue>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -33,7 +32,7 @@ Loops::Loops(const StationaryPoints& stationary, const SaddleLinks& links, const
   for (const ColumnAddition& addition : additions) added_[next[addition.to - first_saddle_]++] = addition.from;
 }
 
-std::vector<std::uint32_t> Loops::surface(const PersistencePair& pair, const Rational& squared_level) const {
+std::vector<std::uint32_t> Loops::surface(const PersistencePair& pair, const SquaredLevel& level) const {
   if (pair.dimension != 1 || !pair.death) throw std::invalid_argument("a surface of a pair of another dimension");
   const geometry::IeeeDoubles ieee;
   const SquaredDistances& values = persistence_->squared_distances();
@@ -47,7 +46,7 @@ std::vector<std::uint32_t> Loops::surface(const PersistencePair& pair, const Rat
   std::vector<std::uint32_t> surface{*pair.death};
   // The births of what is added descend.
   for (const std::uint32_t from : added_to(*pair.death)) {
-    if (values.compare(persistence_->partner(from), squared_level) <= 0) break;
+    if (values.compare(persistence_->partner(from), level) <= 0) break;
     push(from);
   }
   while (!left.empty()) {
@@ -73,40 +72,76 @@ std::vector<std::uint32_t> Loops::boundary(std::span<const std::uint32_t> surfac
   return odd;
 }
 
+namespace {
+
+// The edges of a loop, at both of their ends. Samples are told by their places among all that the loop has.
+class EdgesLeft {
+ public:
+  EdgesLeft(std::span<const std::uint32_t> loop, const StationaryPoints& stationary) {
+    halves_.reserve(2 * loop.size());
+    for (const std::uint32_t edge : loop) {
+      const auto ends = stationary.contact(edge);
+      halves_.push_back({ends[0], ends[1]});
+      halves_.push_back({ends[1], ends[0]});
+    }
+    std::ranges::sort(halves_);
+    is_left_.resize(halves_.size(), true);
+    for (std::size_t k = 0; k < halves_.size(); ++k) {
+      if (k == 0 || halves_[k - 1].first != halves_[k].first) {
+        samples_.push_back(halves_[k].first);
+        next_.push_back(k);
+      }
+    }
+  }
+
+  [[nodiscard]] std::size_t samples() const { return samples_.size(); }
+  [[nodiscard]] PointId name(std::size_t sample) const { return samples_[sample]; }
+  // Takes the edge to the least neighbour to which one is left. Nothing where none is left.
+  std::optional<std::size_t> take(std::size_t sample) {
+    std::size_t& k = next_[sample];
+    while (k < halves_.size() && halves_[k].first == samples_[sample] && !is_left_[k]) ++k;
+    if (k == halves_.size() || halves_[k].first != samples_[sample]) return std::nullopt;
+    const auto [from, to] = halves_[k];
+    is_left_[k] = false;
+    is_left_[static_cast<std::size_t>(std::ranges::lower_bound(halves_, std::pair(to, from)) - halves_.begin())] =
+        false;
+    return static_cast<std::size_t>(std::ranges::lower_bound(samples_, to) - samples_.begin());
+  }
+
+ private:
+  std::vector<std::pair<PointId, PointId>> halves_;  // ascending
+  std::vector<bool> is_left_;
+  std::vector<PointId> samples_;   // ascending
+  std::vector<std::size_t> next_;  // by sample: where its edges are left
+};
+
+}  // namespace
+
 // A walk goes from the least sample that is left to the least neighbour that is left, and so on. Where it comes to a
 // sample of its own again, what lies between is a polygon.
 std::vector<LoopPolygon> Loops::polygons(std::span<const std::uint32_t> loop) const {
-  std::map<PointId, std::set<PointId>> left;
-  for (const std::uint32_t edge : loop) {
-    const auto ends = stationary_->contact(edge);
-    left[ends[0]].insert(ends[1]);
-    left[ends[1]].insert(ends[0]);
-  }
+  constexpr std::size_t kNowhere = SIZE_MAX;
+  EdgesLeft left(loop, *stationary_);
   std::vector<LoopPolygon> polygons;
-  while (!left.empty()) {
-    LoopPolygon walk{left.begin()->first};
-    std::map<PointId, std::size_t> place{{walk.front(), 0}};
-    while (true) {
-      const PointId from = walk.back();
-      const auto neighbours = left.find(from);
-      if (neighbours == left.end()) break;
-      const PointId to = *neighbours->second.begin();
-      for (const auto& [one, other] : {std::pair{from, to}, std::pair{to, from}}) {
-        const auto at = left.find(one);
-        at->second.erase(other);
-        if (at->second.empty()) left.erase(at);
-      }
-      const auto [known, is_new] = place.try_emplace(to, walk.size());
-      if (is_new) {
-        walk.push_back(to);
+  std::vector<std::size_t> walk, place(left.samples(), kNowhere);
+  for (std::size_t start = 0; start < left.samples(); ++start) {
+    walk.assign(1, start);
+    place[start] = 0;
+    while (const auto to = left.take(walk.back())) {
+      if (place[*to] == kNowhere) {
+        place[*to] = walk.size();
+        walk.push_back(*to);
         continue;
       }
-      LoopPolygon polygon(walk.begin() + static_cast<std::ptrdiff_t>(known->second), walk.end());
-      for (std::size_t k = known->second + 1; k < walk.size(); ++k) place.erase(walk[k]);
-      walk.resize(known->second + 1);
+      LoopPolygon polygon;
+      for (std::size_t k = place[*to]; k < walk.size(); ++k) polygon.push_back(left.name(walk[k]));
+      for (std::size_t k = place[*to] + 1; k < walk.size(); ++k) place[walk[k]] = kNowhere;
+      walk.resize(place[*to] + 1);
       make_canonical(polygon);
       polygons.push_back(std::move(polygon));
     }
+    // The walk is at its start again.
+    place[start] = kNowhere;
   }
   std::ranges::sort(polygons);
   return polygons;

@@ -104,6 +104,22 @@ std::vector<std::uint32_t> MergeTree::parents() const {
   return result;
 }
 
+std::vector<std::uint32_t> MergeTree::leaves_of(std::uint32_t part) const {
+  std::vector<std::uint32_t> found, left{part};
+  while (!left.empty()) {
+    const std::uint32_t next = left.back();
+    left.pop_back();
+    if (next < leaves) {
+      found.push_back(next);
+    } else {
+      const std::vector<std::uint32_t>& parts = nodes[next - leaves].parts;
+      left.insert(left.end(), parts.begin(), parts.end());
+    }
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
 MergeTrees::MergeTrees(const PointSet& points, const StationaryPoints& stationary, const FlowLimits& limits)
     : stationary_(&stationary), limits_(&limits), distances_(points, stationary) {
   const geometry::IeeeDoubles ieee;

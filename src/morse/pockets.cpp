@@ -289,6 +289,13 @@ void Pockets::add_cells_and_mouths() {
   for (Pocket& pocket : pockets_) keep_unique(pocket.neighbours);
 }
 
+std::vector<std::span<const std::uint32_t>> Pockets::cells() const {
+  std::vector<std::span<const std::uint32_t>> cells;
+  cells.reserve(size());
+  for (const Pocket& pocket : pockets_) cells.emplace_back(pocket.cell);
+  return cells;
+}
+
 std::vector<std::uint32_t> Pockets::above(std::size_t record) const {
   const geometry::IeeeDoubles ieee;
   std::vector<std::uint32_t> numbers;

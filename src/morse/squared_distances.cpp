@@ -205,15 +205,50 @@ Rational SquaredDistances::exact(std::size_t record) const {
   return exact_squared_radius(*points_, stationary_->contact(record));
 }
 
+namespace {
+
+// Nothing where the bounds overlap. The difference is rounded.
+std::optional<std::strong_ordering> order_by_bounds(const Approximation& one, const Approximation& other) {
+  const double all_errors = one.error + other.error + kRoundingShare * (one.value + std::fabs(other.value)) + 0x1p-1000;
+  if (one.value - other.value > all_errors) return std::strong_ordering::greater;
+  if (other.value - one.value > all_errors) return std::strong_ordering::less;
+  return std::nullopt;
+}
+
+}  // namespace
+
+// The number is cut to a double.
 std::strong_ordering SquaredDistances::compare(std::size_t record, const Rational& number) const {
   const geometry::IeeeDoubles ieee;
-  const auto& [value, error] = approximate_[record];
-  const double near = number.convert_to<double>();
-  // The number is cut to a double, and the difference is rounded.
-  const double all_errors = error + kRoundingShare * (value + std::fabs(near)) + 0x1p-1000;
-  if (value - near > all_errors) return std::strong_ordering::greater;
-  if (near - value > all_errors) return std::strong_ordering::less;
+  if (const auto order = order_by_bounds(approximate_[record], {number.convert_to<double>(), 0})) return *order;
   return exact(record).compare(number) <=> 0;
+}
+
+std::strong_ordering SquaredDistances::compare(std::size_t record, const SquaredLevel& level) const {
+  const geometry::IeeeDoubles ieee;
+  if (level.values_ == this && level.number_ == 0) return rank(record) <=> rank(level.from_);
+  if (const auto order = order_by_bounds(approximate_[record], level.approximate_)) return *order;
+  return exact(record).compare(level.exact()) <=> 0;
+}
+
+SquaredLevel::SquaredLevel(const Rational& number) : number_(number) {
+  const geometry::IeeeDoubles ieee;
+  approximate_.value = number.convert_to<double>();
+}
+
+// The share is cut to a double, and there are three operations.
+SquaredLevel::SquaredLevel(const SquaredDistances& values, std::size_t from, std::size_t to, const Rational& share)
+    : values_(&values), from_(from), to_(to), number_(share) {
+  const geometry::IeeeDoubles ieee;
+  const auto &low = values.approximation(from), &high = values.approximation(to);
+  approximate_ = {low.value + share.convert_to<double>() * (high.value - low.value),
+                  low.error + high.error + kRoundingShare * (low.value + high.value)};
+}
+
+Rational SquaredLevel::exact() const {
+  if (values_ == nullptr) return number_;
+  const Rational low = values_->exact(from_);
+  return number_ == 0 ? low : low + number_ * (values_->exact(to_) - low);
 }
 
 // |sqrt(x) - sqrt(v)| <= |x - v| / sqrt(v), and at most the root of |x - v|. The roots and sums are rounded.

@@ -101,11 +101,11 @@ TEST(CommandLine, PathsAreToldOnOneLine) {
   const std::string strange = "a\nflowcert: b\t\x1b[31m.xyz";
   const std::string shown = scratch.path("a\\nflowcert: b\\t\\x1b[31m.xyz");
   const std::string missing = scratch.path("no/" + strange);
-  for (const Words& usage :
-       {Words{"compute", missing}, Words{"check", missing, missing}, Words{"stats", missing},
-        Words{"explain", missing, "--ids", "0"}, Words{"conformance", "--vectors", missing},
-        Words{"surface", missing, "-o", "x.ply"}, Words{"persistence", missing}, Words{"fuzz", "--replay", missing},
-        Words{"fuzz", "--resume", missing, "--count", "1"}, Words{"fuzz", "merge", missing}}) {
+  for (const Words& usage : {Words{"compute", missing}, Words{"check", missing, missing}, Words{"stats", missing},
+                             Words{"explain", missing, "--ids", "0"}, Words{"conformance", "--vectors", missing},
+                             Words{"surface", missing, "-o", "x.ply"}, Words{"persistence", missing},
+                             Words{"cycles", missing}, Words{"fuzz", "--replay", missing},
+                             Words{"fuzz", "--resume", missing, "--count", "1"}, Words{"fuzz", "merge", missing}}) {
     const Finished finished = flowcert(usage);
     SCOPED_TRACE(::testing::PrintToString(usage));
     expect_error(finished, ".+");
@@ -135,10 +135,10 @@ TEST(CommandLine, AFolderThatCannotBeEnteredIsToldInOurWords) {
   for (const Words& usage :
        {Words{"compute", input, "-o", inside}, Words{"compute", inside}, Words{"compute", input, "--export", inside},
         Words{"stats", input, "--svg", inside}, Words{"persistence", input, "-o", inside},
-        Words{"surface", input, "-o", inside + ".ply"}, Words{"check", input, inside},
-        Words{"check", input, claim, "--junit", inside}, Words{"fuzz", "--count", "1", "--out", inside},
-        Words{"fuzz", "--count", "1", "--corpus", inside}, Words{"fuzz", "--resume", inside, "--count", "1"},
-        Words{"conformance", "--vectors", inside, "--list"},
+        Words{"cycles", input, "--export", inside}, Words{"surface", input, "-o", inside + ".ply"},
+        Words{"check", input, inside}, Words{"check", input, claim, "--junit", inside},
+        Words{"fuzz", "--count", "1", "--out", inside}, Words{"fuzz", "--count", "1", "--corpus", inside},
+        Words{"fuzz", "--resume", inside, "--count", "1"}, Words{"conformance", "--vectors", inside, "--list"},
         Words{"conformance", "--against", "true {in}", "--keep", inside, "--case", "unstable-manifolds-0003"}}) {
     SCOPED_TRACE(::testing::PrintToString(usage));
     const Finished finished = flowcert(usage);

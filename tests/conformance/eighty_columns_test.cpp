@@ -98,6 +98,8 @@ TEST(EightyColumns, WhatCommandsPrint) {
     narrow_output({"compute", input, "--manifolds", "u2,s2", "--stats"});
     narrow_output({"stats", input});
     narrow_output({"persistence", input, "-o", scratch.path("out.pers")});
+    for (const char* dimension : {"0", "1", "2"}) narrow_output({"cycles", input, "--dimension", dimension});
+    narrow_output({"cycles", input, "--witness"});
     narrow_output({"surface", input, "-o", scratch.path("out.ply")});
     narrow_output({"explain", input, "--ids", "0,1,2,3"});
     narrow_output({"explain", input, "--at", "0,0,0"});

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "fuzz/inputs/families.h"
 #include "fuzz/inputs/stable_configurations.h"
 #include "tests/property/property_parameters.h"
+#include "tests/unit/portable_random.h"
 
 namespace flowcert_tests {
 
@@ -46,6 +48,22 @@ void for_each_drawn_set(const DrawnSets& sets, const Use& use) {
   }
   for (const flowcert::fuzz::Family& family : flowcert::fuzz::stable_families()) {
     for (std::uint64_t seed = 0; seed < sets.made; ++seed) use_drawn(family, seed, 100);
+  }
+}
+
+// Calls use(rows) with inputs of 120 points at random, on grids of three widths. On the coarse ones many values are
+// equal.
+template <class Use>
+void for_each_grid(const Use& use) {
+  PortableRandom random(5);
+  for (const double steps : {6.0, 20.0, 1e6}) {
+    for (int input = 0; input < 3; ++input) {
+      SCOPED_TRACE("grid of " + std::to_string(steps) + " steps, input " + std::to_string(input));
+      std::vector<std::array<double, 3>> rows(120);
+      const auto coordinate = [&] { return std::round(random.coordinate() * steps); };
+      for (auto& row : rows) row = {coordinate(), coordinate(), coordinate()};
+      use(rows);
+    }
   }
 }
 

@@ -28,11 +28,13 @@
 #include "flowcert/write_persistence.h"
 #include "flowcert/write_stationary_points.h"
 #include "io/clip_box.h"
+#include "io/cycle_exports.h"
 #include "io/region_exports.h"
 #include "io/surface_selection.h"
 #include "io/triangle_orientation.h"
 #include "io/unstable_surface_export.h"
 #include "io/viewer_page.h"
+#include "io/write_cycles.h"
 #include "io/write_pockets.h"
 #include "morse/flow_locator.h"
 #include "morse/length_bound.h"
@@ -372,6 +374,16 @@ void add_manifolds(Calls& calls, const Made& m) {
       const Rational birth = m.complex.persistence().squared_value(pair.birth);
       return Loops(stationary, m.complex.links(), m.complex.persistence()).surface(pair, birth);
     });
+    calls.add("Loops::witness",
+              [&, pair] { return Loops(stationary, m.complex.links(), m.complex.persistence()).witness(pair); });
+  }
+  const auto first_edge = static_cast<std::uint32_t>(stationary.critical_counts()[0]);
+  calls.add("components_at", [&, first_edge] { return components_at(m.complex.merge_trees(), first_edge); });
+  for (const PersistencePair& pair : m.complex.persistence().pairs()) {
+    if (pair.dimension != 2) continue;
+    calls.add("Voids::at", [&, pair] {
+      return Voids(m.complex.merge_trees()).at(*pair.death, m.complex.persistence().squared_value(pair.birth));
+    });
   }
   calls.add(
       "UnstableSurfaces::UnstableSurfaces", [&] { return std::make_unique<UnstableSurfaces>(diagram, stationary); },
@@ -441,6 +453,12 @@ void add_pockets(Calls& calls, const Made& m) {
   calls.add("SquaredDistances::exact", [&] { return trees.squared_distances().exact(m.upper); });
   calls.add("SquaredDistances::compare",
             [&] { return trees.squared_distances().compare(m.upper, m.complex.sphere(m.upper).squared_radius) >= 0; });
+  calls.add("SquaredLevel::SquaredLevel", [&] {
+    const SquaredLevel level(trees.squared_distances(), 0, m.upper, Rational(1, 3));
+    return trees.squared_distances().compare(m.upper, level) > 0;
+  });
+  calls.add("SquaredLevel::exact",
+            [&] { return SquaredLevel(trees.squared_distances(), 0, m.upper, Rational(1, 3)).exact(); });
   calls.add("SquaredDistances::length", [&] {
     const auto [value, error] = trees.squared_distances().length(0, m.upper);
     return std::array{value, error};
@@ -500,16 +518,19 @@ void add_choices(Calls& calls, const Made& m) {
 
 void add_writers(Calls& calls, const Made& m, const std::string& folder) {
   calls.add("surface_mesh", [&] { return surface_mesh(m.complex, m.sets); });
+  const auto saddle = static_cast<std::uint32_t>(m.complex.stable().record(0));
+  calls.add("loop_surface_mesh", [&, saddle] { return loop_surface_mesh(m.complex, std::vector{saddle}); });
   calls.add_writer("write_ply", [&](std::ostream& out) { write_ply(out, m.mesh, "comment"); });
   calls.add_writer("write_off", [&](std::ostream& out) { write_off(out, m.mesh, "comment"); });
   calls.add("orient", [&] {
     auto triangles = m.mesh.triangles;
     return orient(triangles, m.mesh.vertices.size());
   });
-  calls.add("pocket_surfaces", [&] { return pocket_surfaces(m.complex, m.pockets); });
-  const PocketSurface pocket{m.mesh.vertices, m.mesh.triangles};
+  calls.add("cell_surfaces", [&] { return cell_surfaces(m.complex, m.pockets.cells()); });
+  const CellSurface pocket{m.mesh.vertices, m.mesh.triangles};
   calls.add_writer("write_ply", [=](std::ostream& out) { write_ply(out, pocket, "comment"); });
   calls.add("stable_cell_data", [&] { return stable_cell_data(m.complex); });
+  calls.add("cell_grid", [&] { return cell_grid(m.complex, m.pockets.cells()).grid; });
   calls.add("pocket_cell_data", [&] { return pocket_cell_data(m.complex, m.pockets); });
   const ClipBox box(m.points, 3);
   calls.add("infinity_cell_data", [&, box] { return infinity_cell_data(m.complex, box); });
@@ -537,6 +558,22 @@ void add_writers(Calls& calls, const Made& m, const std::string& folder) {
   calls.add_writer("write_viewer_page", [&](std::ostream& out) {
     (void)write_viewer_page(out, m.complex, {.name = "name", .has_cells = true, .pockets = &m.pockets, .claim = {}});
   });
+  CycleChoice tunnels, voids;
+  voids.dimension = 2;
+  for (const CycleChoice& choice : {tunnels, voids}) {
+    calls.add("cycles", [&, choice] { return cycles(m.complex, choice); });
+  }
+  const std::vector<Cycle> loops = cycles(m.complex, tunnels), spaces = cycles(m.complex, voids);
+  calls.add("loop_data", [&, loops] { return loop_data(m.complex, loops); });
+  calls.add("loop_surface_data", [&, loops] { return loop_surface_data(m.complex, loops); });
+  for (const Cycle& cycle : loops) {
+    calls.add("loop_length", [&, cycle] { return loop_length(m.complex, std::get<LoopCycle>(cycle.chain)); });
+  }
+  calls.add("void_data", [&, spaces] { return void_data(m.complex, spaces); });
+  calls.add("void_surfaces", [&, spaces] { return void_surfaces(m.complex, spaces); });
+  calls.add_writer("write_cycles", [&, loops](std::ostream& out) { write_cycles(out, {m.complex, 1, loops, true}); });
+  calls.add_writer("write_cycles", [&, spaces](std::ostream& out) { write_cycles(out, {m.complex, 2, spaces}); });
+  calls.add("cycle_level_of", [] { return cycle_level_of("12.5%", "--level").number; });
   calls.add_writer("write_pockets", [&](std::ostream& out) {
     write_pockets(out, {m.complex, m.pockets, Probe{Rational(1) / 7}, true});
   });
@@ -640,12 +677,13 @@ const std::set<std::string> kWithoutDoubles = {
     "ChainComplex::limits", "ChainComplex::broken_ties", "ChainComplex::prefetch", "SaddleLinks::size",
     "SaddleLinks::lower", "SaddleLinks::upper", "SaddleLinks::prefetch_lower", "FlowLimits::size",
     "FlowLimits::record", "FlowLimits::point_count", "FlowLocator::followed", "MergeTree::parents",
+    "MergeTree::leaves_of", "Voids::Voids",
     "MergeTrees::pockets", "MergeTrees::components", "MergeTrees::squared_distances", "MergeTrees::stationary",
     "MergeTrees::maxima", "MergeTrees::record_of", "MergeTrees::peaks_above", "MergeTrees::peaks_above_sides",
     "MergeTrees::limits_above", "MergeTrees::saddles_down", "MergeTrees::upper_points_down", "Persistence::pairs",
     "Persistence::squared_distances", "Persistence::partner", "Persistence::additions", "Loops::Loops",
     "Loops::boundary", "Loops::polygons", "passage_text",
-    "Pockets::size", "Pockets::outside", "Pockets::squared_persistence", "Pockets::squared_distances",
+    "Pockets::size", "Pockets::cells", "Pockets::outside", "Pockets::squared_persistence", "Pockets::squared_distances",
     "SquaredDistances::ascending", "SquaredDistances::rank", "SquaredDistances::approximation",
     "SquaredDistances::prefetch", "back_kind_text",
     "StableManifolds::size",
@@ -661,7 +699,8 @@ const std::set<std::string> kWithoutDoubles = {
     "Profile::set_indices", "Profile::join", "Profile::parts", "Profile::grade", "profile_of",
     "require_rows", "sentence_of", "ClipBox::low", "ClipBox::high", "is_exact_pair", "reproducibility", "made_by_text",
     "SurfaceSelection::is_empty", "PersistenceDiagram::complex",
-    "PersistenceDiagram::pairs", "PersistenceDiagram::has_zero", "Probe::squared_radius",
+    "PersistenceDiagram::pairs", "PersistenceDiagram::has_zero", "Probe::squared_radius", "pair_name_of",
+    "array_by_number",
     // clang-format on
 };
 

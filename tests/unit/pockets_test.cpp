@@ -12,8 +12,8 @@
 
 #include "flowcert/stable_manifolds.h"
 #include "geometry/difference_of_roots.h"
+#include "io/cell_surfaces.h"
 #include "io/pocket_persistence.h"
-#include "io/pocket_surfaces.h"
 #include "io/write_pockets.h"
 #include "morse/saddle_radii.h"
 #include "tests/cites.h"
@@ -151,7 +151,7 @@ TEST(SquaredDistances, AreComparedWithNumbersExactly) {
 }
 
 // Six times the volume that a closed mesh encloses, in doubles, and whether each edge is passed both ways alike.
-std::pair<double, bool> enclosed(const PocketSurface& surface) {
+std::pair<double, bool> enclosed(const CellSurface& surface) {
   double six_volumes = 0;
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   for (const auto& triangle : surface.triangles) {
@@ -168,13 +168,13 @@ std::pair<double, bool> enclosed(const PocketSurface& surface) {
   return {six_volumes, is_closed};
 }
 
-TEST(PocketSurfaces, AreClosedAndEncloseTheVolume) {
+TEST(CellSurfaces, AreClosedAndEncloseTheVolume) {
   CITES("FC-POCK-03");
   for (const auto& rows : {lattice(4), cloud(150, 1), cloud(300, 2)}) {
     const FlowComplex complex(rows);
     for (const Rational& persistence : {Rational(0), Rational(1, 5), Rational(1)}) {
       const Pockets pockets(complex.merge_trees(), persistence);
-      const std::vector<PocketSurface> surfaces = pocket_surfaces(complex, pockets);
+      const std::vector<CellSurface> surfaces = cell_surfaces(complex, pockets.cells());
       ASSERT_EQ(surfaces.size(), pockets.size());
       for (std::size_t k = 0; k < surfaces.size(); ++k) {
         const auto [six_volumes, is_closed] = enclosed(surfaces[k]);

@@ -48,6 +48,25 @@ void expect_longest(const SquaredDistances& distances, const StationaryPoints& l
   }
 }
 
+// A level is between two values, and some levels are values, too.
+void expect_levels(const SquaredDistances& distances, const std::vector<Rational>& exact) {
+  if (exact.empty() || exact[distances.ascending().back()] == 0) return;
+  const std::uint32_t least = distances.ascending().front(), greatest = distances.ascending().back();
+  const std::uint32_t middle = distances.ascending()[exact.size() / 2];
+  for (const Rational& share : {Rational(0), Rational(1, 3), Rational(exact[middle] / exact[greatest]), Rational(1)}) {
+    const SquaredLevel level(distances, least, greatest, share);
+    const Rational number = exact[least] + share * (exact[greatest] - exact[least]);
+    ASSERT_EQ(level.exact(), number);
+    ASSERT_EQ(SquaredLevel(number).exact(), number);
+    for (std::uint32_t record = 0; record < exact.size(); ++record) {
+      const auto order = exact[record].compare(number) <=> 0;
+      ASSERT_EQ(distances.compare(record, level), order);
+      ASSERT_EQ(distances.compare(record, SquaredLevel(number)), order);
+      ASSERT_EQ(distances.compare(record, number), order);
+    }
+  }
+}
+
 void expect_right(const FlowComplex& complex, Seen& seen) {
   const StationaryPoints& list = complex.stationary();
   const SquaredDistances distances(complex.points(), list);
@@ -75,6 +94,7 @@ void expect_right(const FlowComplex& complex, Seen& seen) {
     EXPECT_TRUE(std::ranges::equal(again.ascending(), ascending));
   }
   expect_longest(distances, list);
+  expect_levels(distances, exact);
   seen.records += list.size();
   seen.equal += list.size() - different.size();
 }

@@ -44,6 +44,7 @@ struct SurfaceMesh {
   std::vector<Point> vertices;
   // From each vertex to its nearest samples. A value beyond the doubles is left out.
   std::vector<std::optional<double>> squared_distances;
+  std::vector<std::optional<PointId>> samples;  // the vertices that are samples, by name
   std::vector<Triangle> triangles;
   std::vector<std::size_t> set_of_triangle;  // its number in StableManifolds
   TriangleEdges edges;
@@ -53,6 +54,11 @@ struct SurfaceMesh {
 // more. Throws InvalidInput for a coordinate beyond the doubles.
 [[nodiscard]] SurfaceMesh surface_mesh(const FlowComplex& complex, std::span<const std::size_t> sets,
                                        const Progress& progress = {});
+
+// The surface of a loop (loops.h), which are index-2 points by place in the list. Mod 2, the boundary of its triangles
+// is the edges of the loop: below a tie it has the paths alone that the chain's boundary takes (FC-CHAIN-02). Throws
+// InvalidInput for a coordinate beyond the doubles.
+[[nodiscard]] SurfaceMesh loop_surface_mesh(const FlowComplex& complex, std::span<const std::uint32_t> surface);
 
 // PLY (binary, little endian, double coordinates) and OFF (text). Coordinates read back to the same doubles;
 // triangles keep their order. comment: one line.

@@ -22,6 +22,13 @@ namespace flowcert {
 // Samples by name, each next to the one before, and the last one next to the first. No sample comes twice.
 using LoopPolygon = std::vector<PointId>;
 
+// What shows that a pair of dimension 1 occurs, without any other pair (FC-CYC-08). All lists ascend.
+struct LoopWitness {
+  std::vector<std::uint32_t> surface, loop;  // at birth
+  std::vector<std::uint32_t> cocycle;        // points of index 1
+  std::vector<std::uint32_t> met;            // index-2 points of values below the death's whose boundary meets it
+};
+
 // Const access is safe from several threads.
 class Loops {
  public:
@@ -31,9 +38,12 @@ class Loops {
   // The pair has dimension 1. The level is a squared distance, at least that of the birth and less than that of the
   // death. The surface ascends. O(k log k) for k additions that make it. Throws std::invalid_argument for a pair of
   // another dimension.
-  [[nodiscard]] std::vector<std::uint32_t> surface(const PersistencePair& pair, const Rational& squared_level) const;
+  [[nodiscard]] std::vector<std::uint32_t> surface(const PersistencePair& pair, const SquaredLevel& level) const;
   // The boundary of a surface. Ascending.
   [[nodiscard]] std::vector<std::uint32_t> boundary(std::span<const std::uint32_t> surface) const;
+  // The pair has dimension 1. The reduction of coboundaries, as far as this pair needs it: cubic at worst. Throws
+  // std::invalid_argument for a pair of another dimension.
+  [[nodiscard]] LoopWitness witness(const PersistencePair& pair) const;
   // A loop as polygons without repetition (FC-CYC-05). Each begins with its least sample and goes to the lesser one of
   // that one's neighbours.
   [[nodiscard]] std::vector<LoopPolygon> polygons(std::span<const std::uint32_t> loop) const;

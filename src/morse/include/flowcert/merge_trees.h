@@ -33,6 +33,8 @@ struct MergeTree {
   // The node that a part goes into, by its number as a part; kNone for a part that goes into none. O(parts).
   static constexpr std::uint32_t kNone = 0xffffffffu;
   [[nodiscard]] std::vector<std::uint32_t> parents() const;
+  // Those that come together in a part, ascending. O(k log k) for k of them.
+  [[nodiscard]] std::vector<std::uint32_t> leaves_of(std::uint32_t part) const;
 
   friend bool operator==(const MergeTree&, const MergeTree&) = default;
 };

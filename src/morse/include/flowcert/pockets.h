@@ -52,6 +52,8 @@ class Pockets {
   [[nodiscard]] std::size_t size() const { return pockets_.size(); }
   // They come in the order of their first maxima.
   [[nodiscard]] const Pocket& operator[](std::size_t number) const { return pockets_[number]; }
+  // The cell of each, as long as this lives.
+  [[nodiscard]] std::vector<std::span<const std::uint32_t>> cells() const;
   // The maxima that belong to the outside, ascending.
   [[nodiscard]] const std::vector<std::uint32_t>& outside() const { return outside_; }
   [[nodiscard]] const Rational& squared_persistence() const { return squared_persistence_; }

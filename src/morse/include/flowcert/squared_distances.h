@@ -17,6 +17,8 @@
 
 namespace flowcert {
 
+class SquaredLevel;
+
 class SquaredDistances {
  public:
   // Both must outlive this. O(n log n), and an exact value for each that the doubles do not tell from another. The
@@ -34,6 +36,7 @@ class SquaredDistances {
 
   // The value, compared with a number.
   [[nodiscard]] std::strong_ordering compare(std::size_t record, const Rational& number) const;
+  [[nodiscard]] std::strong_ordering compare(std::size_t record, const SquaredLevel& level) const;
 
   // |value - exact| <= error. The error is 0 where the value is exact.
   struct Approximation {
@@ -55,6 +58,25 @@ class SquaredDistances {
   const StationaryPoints* stationary_;
   std::vector<Approximation> approximate_;
   std::vector<std::uint32_t> rank_, ascending_;
+};
+
+// A squared distance that values are compared with: a number, or a share of the way from one value to another. That is
+// made exactly only where bounds do not decide. The values must outlive it.
+class SquaredLevel {
+ public:
+  SquaredLevel(const Rational& number);  // NOLINT(google-explicit-constructor): a number is one
+  // The share is from 0 to 1.
+  SquaredLevel(const SquaredDistances& values, std::size_t from, std::size_t to, const Rational& share);
+
+  // Computed anew each time, but for a number.
+  [[nodiscard]] Rational exact() const;
+
+ private:
+  friend class SquaredDistances;
+  const SquaredDistances* values_ = nullptr;
+  std::size_t from_ = 0, to_ = 0;
+  Rational number_;  // or the share
+  SquaredDistances::Approximation approximate_;
 };
 
 }  // namespace flowcert

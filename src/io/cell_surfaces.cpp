@@ -1,5 +1,6 @@
-#include "io/pocket_surfaces.h"
+#include "io/cell_surfaces.h"
 
+#include <algorithm>
 #include <unordered_map>
 
 #include "geometry/floating_point.h"
@@ -14,8 +15,6 @@ using namespace io;
 
 namespace {
 
-constexpr std::uint32_t kNoPocket = 0xffffffffu;
-
 // Takes over triangles, and numbers their corners anew.
 class SurfaceBuilder {
  public:
@@ -25,7 +24,7 @@ class SurfaceBuilder {
       surface_.triangles.push_back({number_of(all, a), number_of(all, b), number_of(all, c)});
     }
   }
-  [[nodiscard]] PocketSurface take() { return std::move(surface_); }
+  [[nodiscard]] CellSurface take() { return std::move(surface_); }
 
  private:
   std::uint32_t number_of(const CellFaces& all, std::uint32_t corner) {
@@ -34,41 +33,44 @@ class SurfaceBuilder {
     return found->second;
   }
 
-  PocketSurface surface_;
+  CellSurface surface_;
   std::unordered_map<std::uint32_t, std::uint32_t> numbers_;
 };
 
 }  // namespace
 
-std::vector<PocketSurface> pocket_surfaces(const FlowComplex& complex, const Pockets& pockets) {
+std::vector<CellSurface> cell_surfaces(const FlowComplex& complex,
+                                       const std::vector<std::span<const std::uint32_t>>& cells) {
   const geometry::IeeeDoubles ieee;
-  std::vector<std::uint32_t> pocket_of(complex.stationary().size(), kNoPocket);
+  std::vector<std::vector<std::uint32_t>> cells_with(complex.stationary().size());  // ascending, by stationary point
   std::vector<bool> is_wanted(complex.stationary().size(), false);
-  for (std::uint32_t number = 0; number < pockets.size(); ++number) {
-    for (const std::uint32_t record : pockets[number].cell) {
-      pocket_of[record] = number;
+  for (std::uint32_t number = 0; number < cells.size(); ++number) {
+    for (const std::uint32_t record : cells[number]) {
+      cells_with[record].push_back(number);
       is_wanted[record] = true;
     }
   }
   const CellFaces faces = cell_faces(complex, is_wanted);
-  std::vector<SurfaceBuilder> builders(pockets.size());
+  std::vector<SurfaceBuilder> builders(cells.size());
   for (const CellFace& face : faces.faces) {
-    std::array<std::uint32_t, 2> sides{};
+    std::array<std::span<const std::uint32_t>, 2> sides;
     for (const std::size_t side : {0U, 1U}) {
-      sides[side] = face.limits[side] == CellFace::kInfinity ? kNoPocket : pocket_of[face.limits[side]];
+      if (face.limits[side] != CellFace::kInfinity) sides[side] = cells_with[face.limits[side]];
     }
     // Faces between parts of one cell are inside of it.
-    if (sides[0] == sides[1]) continue;
-    if (sides[0] != kNoPocket) builders[sides[0]].add(faces, face, false);
-    if (sides[1] != kNoPocket) builders[sides[1]].add(faces, face, true);
+    for (const std::size_t side : {0U, 1U}) {
+      for (const std::uint32_t number : sides[side]) {
+        if (!std::ranges::binary_search(sides[1 - side], number)) builders[number].add(faces, face, side == 1);
+      }
+    }
   }
-  std::vector<PocketSurface> surfaces;
+  std::vector<CellSurface> surfaces;
   surfaces.reserve(builders.size());
   for (SurfaceBuilder& builder : builders) surfaces.push_back(builder.take());
   return surfaces;
 }
 
-void write_ply(std::ostream& out, const PocketSurface& surface, const std::string& comment) {
+void write_ply(std::ostream& out, const CellSurface& surface, const std::string& comment) {
   const geometry::IeeeDoubles ieee;
   io::write_ply(out, surface.vertices, surface.triangles, comment);
 }
