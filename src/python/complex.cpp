@@ -189,6 +189,8 @@ void add_complex(py::module_& module) {
       .def("connections", &Complex::connections, ieee)
       .def("unstable_surface", &Complex::unstable_surface, py::arg("record"), py::arg("exact"), ieee)
       .def("is_morse_smale", &Complex::is_morse_smale, ieee)
+      .def("cycles", &Complex::cycles, py::arg("dimension"), py::arg("longest"), py::arg("persistence"),
+           py::arg("pair"), py::arg("level"), ieee)
       .def("pockets", &Complex::pockets, py::arg("persistence"), py::arg("probe"), ieee)
       .def("locate", &Complex::locate, py::arg("rows"), ieee);
 }

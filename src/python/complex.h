@@ -94,6 +94,12 @@ class Complex {
   [[nodiscard]] pybind11::object unstable_surface(std::size_t record, bool exact) const;
   [[nodiscard]] bool is_morse_smale() const;
 
+  // [(pair, squared_level, chain), ...], the longest pair first (flowcert/_cycles.py). A pair is two places. persistence
+  // and level are as commands take them; a pair is named by its contact sets.
+  [[nodiscard]] pybind11::list cycles(int dimension, std::size_t longest, const std::optional<std::string>& persistence,
+                                      const std::optional<std::array<std::vector<PointId>, 2>>& pair,
+                                      const std::string& level) const;
+
   // (pockets, outside, gates, largest_balls, squared_persistence), as Pockets has them (flowcert/_pockets.py).
   // persistence is a bound as commands take it, and the probe hexadecimal.
   [[nodiscard]] pybind11::tuple pockets(const std::string& persistence, const std::optional<std::string>& probe) const;

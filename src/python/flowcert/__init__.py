@@ -29,6 +29,7 @@ are.
 from ._check import check
 from ._core import made_by as __made_by__
 from ._core import version as __version__
+from ._cycles import Joined, Loop, Void
 from ._flow_complex import FlowComplex
 from ._generate import families, generate
 from ._judge import CheckReport, Finding
@@ -44,9 +45,11 @@ __all__ = [
     "Direction",
     "Finding",
     "FlowComplex",
+    "Joined",
     "LambdaList",
     "Limit",
     "Lines",
+    "Loop",
     "Mesh",
     "Orbit",
     "Places",

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core, _exact, _judge
+from ._cycles import Cycle, cycle_of
 from ._limits import LambdaList, lambda_list_of
 from ._manifolds import Lines, Mesh, Surfaces
 from ._orbit import Orbit, Position, orbit_of
@@ -19,6 +20,12 @@ from ._unstable import UnstableSurface, unstable_surface_of
 
 _KINDS = ((1, 2), (1, 3), (2, 3))
 _MOST_THREADS = 1024
+
+
+def _words(value: Any, name: str) -> bytes:
+    """What commands take: a str as it is, or a number, exactly."""
+    text = value if isinstance(value, str) else _exact.decimal(_exact.exact(value, name))
+    return text.encode(errors="replace")
 
 
 class FlowComplex:
@@ -290,15 +297,61 @@ class FlowComplex:
         >>> len(fc.pockets(Fraction(1, 5)).pockets)
         0
         """
-        text = persistence
-        if not isinstance(persistence, str):
-            text = _exact.decimal(_exact.exact(persistence, "persistence"))
         radius = None if probe is None else _exact.exact(probe, "probe")
         if radius is not None and radius < 0:
             raise ValueError("probe: not 0 or more")
         return pockets_of(
-            self._core.pockets(text.encode(errors="replace"), None if radius is None else _exact.hexadecimal(radius))
+            self._core.pockets(_words(persistence, "persistence"), None if radius is None else _exact.hexadecimal(radius))
         )
+
+    def cycles(
+        self,
+        dimension: int = 1,
+        longest: int = 10,
+        level: Any = "25%",
+        persistence: Any = None,
+        pair: Optional[Tuple[int, int]] = None,
+    ) -> List[Cycle]:
+        """What persistence pairs stand for, from the longest pair down: a list of Loop for dimension 1, of Void for
+        dimension 2, or of Joined for dimension 0. A class that lasts is none of them.
+
+        longest: so many pairs. persistence: instead, all that are longer than this, a difference of distances; a
+        number, or a str as `flowcert cycles --persistence` takes it. pair: instead, this one, (birth, death), places in
+        critical_points.
+        level: where between birth and death. "25%", a share of the way, in squared distances; a number, a distance, for
+        the pairs that are there at it; "birth"; or "death", for the death point's own stable manifold alone.
+
+        >>> square = FlowComplex([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]])
+        >>> [loop] = square.cycles()
+        >>> loop.polygons[0].tolist(), loop.length, loop.squared_level, len(loop.surface.faces)
+        ([0, 1, 2, 3], 8.0, Fraction(5, 4), 8)
+        >>> octahedron = FlowComplex([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]])
+        >>> [void] = octahedron.cycles(dimension=2)
+        >>> void.volume, len(void.walls)
+        (1.3333333333333333, 8)
+        """
+        if dimension not in (0, 1, 2):
+            raise ValueError(f"dimension: not 0, 1 or 2, but {dimension!r}")
+        if longest < 0:
+            raise ValueError("longest: less than 0")
+        names = None if pair is None else tuple(self._contact(place) for place in pair)
+        return [
+            cycle_of(dimension, cycle)
+            for cycle in self._core.cycles(
+                dimension,
+                longest,
+                None if persistence is None else _words(persistence, "persistence"),
+                names,
+                _words(level, "level"),
+            )
+        ]
+
+    def _contact(self, i: int) -> List[int]:
+        place, points = self._place(i), self.stationary_points
+        if place >= len(points):
+            raise ValueError(f"there is no stationary point {place}; there are {len(points)}")
+        begin, end = points[place]["contact_offsets"]
+        return self.contacts[begin:end].tolist()
 
     # ---- The whole complex: cells and their volumes, connections
 
