@@ -71,15 +71,6 @@ std::vector<Cell> filtration(const PointSet& set) {
   return cells;
 }
 
-// The places of cells, ascending.
-using Column = std::vector<std::size_t>;
-
-Column sum_mod_2(const Column& a, const Column& b) {
-  Column sum;
-  std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(sum));
-  return sum;
-}
-
 std::vector<Column> boundary_matrix(const std::vector<Cell>& cells) {
   std::map<Places, std::size_t> place_of;
   std::vector<Column> columns;
@@ -113,6 +104,12 @@ Reduced reduced(std::vector<Column> columns) {
 }
 
 }  // namespace
+
+Column sum_mod_2(const Column& a, const Column& b) {
+  Column sum;
+  std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(sum));
+  return sum;
+}
 
 // sqrt(a) <= sqrt(b) + sqrt(c): the squares of both sides differ by a - b - c and twice the root of bc.
 bool is_root_difference_up_to(const Rational& a, const Rational& b, const Rational& c) {

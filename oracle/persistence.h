@@ -6,6 +6,7 @@
 // case the cube of that. So this is meant for 20 points at most.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -20,6 +21,10 @@ struct PersistencePair {
 
   friend bool operator==(const PersistencePair&, const PersistencePair&) = default;
 };
+
+// A sum mod 2 of what is told by places, ascending.
+using Column = std::vector<std::size_t>;
+Column sum_mod_2(const Column& a, const Column& b);
 
 // Whether sqrt(a) - sqrt(b) is at most sqrt(c), by squaring. None of them is negative. So lengths are compared with a
 // number, exactly (FC-PERS-06).
