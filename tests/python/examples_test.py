@@ -1,4 +1,4 @@
-"""The three scripts beside this file run, and do what they say."""
+"""The four scripts beside this file run, and do what they say."""
 
 import pathlib
 import re
@@ -35,6 +35,21 @@ def test_reconstruct_a_scan(tmp_path):
     corners = np.array([line.split()[1:] for line in lines[2 + vertices :]], dtype=int)
     edges = np.sort(np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]]), axis=1)
     assert np.unique(edges, axis=0, return_counts=True)[1].min() >= 2
+
+
+def test_tunnels_of_a_scan(tmp_path):
+    # A torus has two tunnels, one through its hole and one inside.
+    turn, around = np.meshgrid(np.arange(40) * np.pi / 20, np.arange(16) * np.pi / 8)
+    radius = 3 + np.cos(around)
+    torus = np.stack([radius * np.cos(turn), radius * np.sin(turn), np.sin(around)], axis=-1).reshape(-1, 3)
+    picture = tmp_path / "tunnels.svg"
+    printed = run("tunnels_of_a_scan.py", write_xyz(tmp_path / "scan.xyz", torus), picture, "5%").splitlines()
+    assert len(printed) == 10
+    lengths = [float(line.split()[5].rstrip(",")) for line in printed[:2]]
+    assert max(lengths) > 2 * np.pi * 1.8 and 5 < min(lengths) < 8
+    drawn = picture.read_text()
+    assert drawn.count("<polygon") >= 10
+    assert drawn.count("h0") == len(torus)
 
 
 def test_persistence_against_gudhi(tmp_path):

@@ -25,7 +25,7 @@ namespace {
 using Edges = std::set<std::pair<std::int64_t, std::int64_t>>;
 using Integers = std::vector<std::int64_t>;
 
-const Integers& integers(const std::vector<VtpArray>& arrays, const std::string& name) {
+const Integers& integers(const std::vector<VtpArray>& arrays, const char* name) {
   const auto found = std::ranges::find(arrays, name, &VtpArray::name);
   return std::get<Integers>(found->values);
 }

@@ -3,11 +3,14 @@
 
 usage: pictures.py FLOWCERT FOLDER
 
-Guarantees: the bunny's reconstruction, and a degenerate input with its highest maximum picked; PNG, at most 300 KB
-each.
+Guarantees: the bunny's reconstruction, a degenerate input with its highest maximum picked, and the bunny's longest
+tunnels, which an example of the Python package draws; PNG, at most 300 KB each.
 """
+import os
 import pathlib
+import re
 import struct
+import subprocess
 import sys
 import tempfile
 import zlib
@@ -18,6 +21,7 @@ from program import Program
 
 SIZE = (1000, 630)
 MOST = 300_000
+TUNNELS = pathlib.Path(__file__).resolve().parents[1] / "python" / "tunnels_of_a_scan.py"
 
 
 def compressed(png):
@@ -42,10 +46,26 @@ def take(browser, page, path, prepare=None):
     if prepare:
         prepare(page)
     browser.rest()
+    save(browser, path)
+
+
+def save(browser, path):
     path.write_bytes(compressed(browser.driver.get_screenshot_as_png()))
     if path.stat().st_size > MOST:
         sys.exit(f"{path}: {path.stat().st_size:,} bytes; at most {MOST:,}")
     print(f"{path}: {path.stat().st_size:,} bytes")
+
+
+def take_tunnels(browser, build, folder, path):
+    """At the size of the picture that is drawn."""
+    drawn = folder / "tunnels.svg"
+    subprocess.run([sys.executable, TUNNELS, inputs.BUNNY, drawn], check=True, stdout=subprocess.DEVNULL,
+                   env={**os.environ, "PYTHONPATH": str(build / "python")})
+    width, height = re.search(r'viewBox="0 0 (\d+) (\d+)"', drawn.read_text()).groups()
+    browser.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+        "width": int(width), "height": int(height), "deviceScaleFactor": 1, "mobile": False})
+    browser.driver.get(drawn.as_uri())
+    save(browser, path)
 
 
 def main():
@@ -69,6 +89,8 @@ def main():
 
         take(browser, program.page("bunny", None), folder / "bunny.png", smooth)
         take(browser, program.page("cube-with-tents", inputs.PICTURE), folder / "degenerate.png", pick_highest)
+        take_tunnels(browser, pathlib.Path(sys.argv[1]).resolve().parent, pathlib.Path(temporary),
+                     folder / "tunnels.png")
 
 
 if __name__ == "__main__":
