@@ -139,7 +139,7 @@ std::vector<PersistencePair> chosen_pairs(const FlowComplex& complex, const Cycl
 class CycleMaker {
  public:
   CycleMaker(const FlowComplex& complex, const CycleChoice& choice)
-      : complex_(complex), level_(choice.level), persistence_(complex.persistence()) {
+      : level_(choice.level), persistence_(complex.persistence()) {
     if (choice.dimension == 1) {
       loops_.emplace(complex.stationary(), complex.links(), persistence_);
     } else {
@@ -192,7 +192,6 @@ class CycleMaker {
     return tree.nodes[parents_[maximum - trees_->record_of(0)] - tree.leaves].points.front();
   }
 
-  const FlowComplex& complex_;
   const CycleLevel& level_;
   const Persistence& persistence_;
   const MergeTrees* trees_ = nullptr;
