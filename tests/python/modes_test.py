@@ -104,6 +104,7 @@ def calls_of_complex(rows, made):
         "unstable_lines": lambda fc: fc.unstable_lines(),
         "orbit": lambda fc: (fc.orbit(third), fc.orbit(third).vertices),
         "locate": lambda fc: fc.locate([rows[3], rows[4]]),
+        "cycles": lambda fc: [fc.cycles(dimension, level="30%", persistence=persistence) for dimension in (0, 1, 2)],
         "pockets": lambda fc: fc.pockets(persistence=persistence, probe=probe),
         "volumes": lambda fc: fc.volumes,
         "volume": lambda fc: fc.volume(last),
