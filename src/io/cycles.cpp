@@ -95,16 +95,19 @@ PersistencePair named_pair(const FlowComplex& complex, const PairName& name, int
       fmt::format("no such pair: nothing is born at {} or dies at {}", text_of(name[0]), text_of(name[1])));
 }
 
-// How many of these pairs are longer.
-std::size_t count_longer(const FlowComplex& complex, const std::vector<PersistencePair>& pairs,
-                         const LengthBound& bound) {
+// Those of these pairs that are longer, from the longest one down.
+std::vector<PersistencePair> longer_pairs(const FlowComplex& complex, const std::vector<PersistencePair>& pairs,
+                                          const LengthBound& bound) {
   std::vector<PairEnds> ends;
   for (const PersistencePair& pair : pairs) ends.push_back({pair.birth, pair.death.value()});
   const SquaredDistances& values = complex.persistence().squared_distances();
-  const ValueOrder order = length_order(values, ends);
+  const ValueOrder order = length_order(values, std::move(ends));
   const auto square =
       threshold_of(bound, order, squared_spacing(complex, values), length_rounding(complex.points())).squared_length;
-  return pairs.size() - (square ? order.count_up_to(*square) : 0);
+  const std::size_t too_short = square ? order.count_up_to(*square) : 0;
+  std::vector<PersistencePair> longer;
+  for (std::size_t k = order.size(); k > too_short; --k) longer.push_back(pairs[order.at(k - 1)]);
+  return longer;
 }
 
 std::vector<PersistencePair> chosen_pairs(const FlowComplex& complex, const CycleChoice& choice) {
@@ -128,8 +131,7 @@ std::vector<PersistencePair> chosen_pairs(const FlowComplex& complex, const Cycl
   std::ranges::copy_if(pairs, std::back_inserter(there), is_there);
   if (!choice.longer_than) return longest_pairs(values, there, choice.longest);
   // The bound is of all pairs, whatever the level.
-  const std::size_t longer = count_longer(complex, pairs, *choice.longer_than);
-  std::vector<PersistencePair> chosen = longest_pairs(values, pairs, longer);
+  std::vector<PersistencePair> chosen = longer_pairs(complex, pairs, *choice.longer_than);
   std::erase_if(chosen, [&](const PersistencePair& pair) { return !is_there(pair); });
   return chosen;
 }

@@ -1,11 +1,10 @@
 // The cocycle comes from reducing coboundaries: that of the pair's birth is reduced until its earliest point is the
 // death. What is earlier is the death of a pair that is born later, and the reduced coboundary of that birth is added.
 // A reduced one is made when it is first needed.
-#include <algorithm>
 #include <map>
 #include <numeric>
 #include <set>
-#include <stdexcept>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -50,7 +49,7 @@ class Coboundaries {
     }
   }
 
-  // That of a birth, whose earliest point is the death.
+  // Reduces the coboundary of a birth until its earliest point is the death.
   const Coboundary& reduced(std::uint32_t birth) {
     std::vector<std::uint32_t> unfinished{birth};
     while (!unfinished.empty()) {
