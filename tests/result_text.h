@@ -124,7 +124,7 @@ inline auto fields(const ClaimedNumber& n) { return std::tie(n.value, n.is_exact
 inline auto fields(const ClaimedPair& p) { return std::tie(p.dimension, p.birth, p.death, p.line); }
 inline auto fields(const ListedPair& p) { return std::tie(p.dimension, p.birth, p.death); }
 inline auto fields(const PairDifference& d) {
-  return std::tie(d.claimed, d.truth, d.by_rounding, d.dimension, d.is_claimed, d.is_true, d.line);
+  return std::tie(d.claimed, d.truth, d.reason, d.dimension, d.is_claimed, d.is_true, d.line);
 }
 inline auto fields(const PathDifference& d) { return std::tie(d.is_permitted, d.claimed, d.truth); }
 inline auto fields(const PathSegment& s) {

@@ -82,14 +82,13 @@ std::optional<Disagreement> wrong_claim(const CheckReport& report, const std::st
 
 std::optional<Disagreement> wrong_pairs(std::vector<PairDifference> differences, const std::string& answer,
                                         const std::vector<std::string>& ignored) {
-  std::erase_if(differences,
-                [&](const PairDifference& difference) { return is_among(ignored, reason_text(difference)); });
+  std::erase_if(differences, [&](const PairDifference& difference) { return is_among(ignored, difference.reason); });
   if (differences.empty()) return std::nullopt;
   std::string truth;
   for (std::size_t k = 0; k < std::min(differences.size(), kMostFindingsShown); ++k) {
     truth += persistence_finding_words(differences[k]) + '\n';
   }
-  return Disagreement{reason_text(differences.front()),
+  return Disagreement{differences.front().reason,
                       "FC-CLAIM-11",
                       persistence_finding_words(differences.front()),
                       "the persistence pairs",

@@ -2,12 +2,17 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "certify/layer.h"
 #include "flowcert/claim.h"
+#include "io/line_reader.h"
 
 namespace flowcert::certify {
+
+// Throws InvalidInput with the place for a row that the input does not have.
+void require_ids(std::span<const PointId> ids, const PointSet& points, const LinePlace& place);
 
 // The polygon or the samples of a piece.
 [[nodiscard]] const auto& names_in(const auto& piece) {

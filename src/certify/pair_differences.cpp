@@ -25,6 +25,8 @@ using namespace certify;
 
 namespace {
 
+constexpr char kWrongPair[] = "wrong-pair", kRounding[] = "rounding";
+
 // A message shows at most this many characters of a number.
 constexpr std::size_t kLongestPairNumber = 60;
 
@@ -75,8 +77,8 @@ class Closeness {
   // Both have one dimension.
   [[nodiscard]] bool are_partners(const ClaimedPair& claimed, const ClaimedPair& truth) const {
     if (claimed.death.has_value() != truth.death.has_value()) return false;
-    return is_right(claimed.birth, truth.birth.value) &&
-           (!claimed.death || is_right(*claimed.death, truth.death->value));
+    return is_right_value(claimed.birth, truth.birth.value, tolerance_) &&
+           (!claimed.death || is_right_value(*claimed.death, truth.death->value, tolerance_));
   }
 
   // Whether a pair may be left over, because it may as well have no length.
@@ -88,14 +90,6 @@ class Closeness {
   }
 
  private:
-  [[nodiscard]] bool is_right(const ClaimedNumber& claimed, const Rational& truth) const {
-    if (claimed.value == truth) return true;
-    if (claimed.is_exact) return false;
-    if (rounds_alike(claimed.value, truth)) return true;
-    const Rational off = claimed.value - truth;
-    return abs(off) <= tolerance_ * abs(truth);
-  }
-
   Rational tolerance_;
 };
 
@@ -292,6 +286,22 @@ LeftOver left_over(Groups claimed, Groups truth, double tolerance) {
 
 // ---- In words ----
 
+// What is wrong with a cycle that is claimed of a pair (FC-CLAIM-25).
+const std::map<std::string, const char*> kCycleSentences = {
+    {"born-earlier", "This loop stands for a tunnel that is born earlier."},
+    {"dependent", "This cycle stands for nothing beside other cycles of the claim."},
+    {"dies-earlier", "This loop is filled before the death."},
+    {"dies-later", "This loop is not filled at the death."},
+    {"edge-too-long", "This loop leaves the balls that there are at its level."},
+    {"malformed", "The claim contradicts itself."},
+    {"not-a-cycle", "This is no cycle, because it is not closed."},
+    {"surface-boundary", "This surface does not fill the loop."},
+    {"triangle-too-large", "This surface leaves the balls that there are at its level."},
+    {"wrong-components", "These are not the components that come together there."},
+    {"wrong-counts", "The claim counts other pairs than there are."},
+    {"wrong-void", "This is not the void of the pair at this level."},
+};
+
 std::string number_words(const ClaimedNumber& number, bool in_doubles) {
   const std::optional<double> nearest = nearest_double(number.value);
   std::string text = in_doubles && nearest ? fmt::format("{}", *nearest) : to_text(number.value);
@@ -314,8 +324,8 @@ std::vector<PairDifference> differences_of(const LeftOver& left, bool in_doubles
     std::ranges::copy_if(left.truth, std::back_inserter(b), is_of);
     for (std::size_t k = 0; k < std::max(a.size(), b.size()); ++k) {
       const bool is_claimed = k < a.size(), is_true = k < b.size();
-      differences.push_back(
-          {words(a, k), words(b, k), by_rounding, dimension, is_claimed, is_true, is_claimed ? a[k].line : 0});
+      differences.push_back({words(a, k), words(b, k), by_rounding ? kRounding : kWrongPair, dimension, is_claimed,
+                             is_true, is_claimed ? a[k].line : 0});
     }
   }
   return differences;
@@ -333,13 +343,21 @@ std::vector<ListedPair> listed_pairs(const FlowComplex& complex) {
   return pairs;
 }
 
-const char* reason_text(const PairDifference& difference) { return difference.by_rounding ? "rounding" : "wrong-pair"; }
+bool is_right_value(const ClaimedNumber& claimed, const Rational& truth, const Rational& tolerance) {
+  if (claimed.value == truth) return true;
+  if (claimed.is_exact) return false;
+  if (rounds_alike(claimed.value, truth)) return true;
+  return abs(Rational(claimed.value - truth)) <= tolerance * abs(truth);
+}
 
 std::string sentence_of(const PairDifference& difference) {
   constexpr const char* kNames[] = {"component", "tunnel", "void"};
   const std::string name = kNames[difference.dimension];
-  if (difference.by_rounding) {
+  if (difference.reason == kRounding) {
     return "It is right but for rounding. This is a convention: decimals may be rounded; exact numbers may not.";
+  }
+  if (const auto sentence = kCycleSentences.find(difference.reason); sentence != kCycleSentences.end()) {
+    return sentence->second + std::string(" This is a bug.");
   }
   if (!difference.is_true) return "There is no such " + name + ". This is a bug.";
   if (!difference.is_claimed) return "You missed this " + name + ". This is a bug.";

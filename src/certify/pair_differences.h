@@ -19,20 +19,22 @@ class FlowComplex;
 // The pairs of positive length and the class that lasts, as persistence() finds them. This computes them if need be.
 [[nodiscard]] std::vector<ListedPair> listed_pairs(const FlowComplex& complex);
 
-// A pair that only one of the lists has, or two such pairs, one of each list.
+// A pair that only one of the lists has, or two such pairs, one of each list. Or a cycle that does not stand for its
+// pair, or a pair without one (cycle_differences.h).
 struct PairDifference {
   std::string claimed;  // in words
   std::string truth;
-  bool by_rounding = false;  // wrong by no more than rounding explains (FC-CLAIM-05)
+  std::string reason = "wrong-pair";  // or "rounding" (FC-CLAIM-05), or that of a cycle
   int dimension = 0;
   bool is_claimed = false, is_true = false;  // which of the lists have one
   std::size_t line = 0;                      // of the claimed pair, as there
 };
-// "rounding" or "wrong-pair"
-[[nodiscard]] const char* reason_text(const PairDifference& difference);
 
 // What is wrong, in a plain sentence or two, and whether it is a bug or a convention.
 [[nodiscard]] std::string sentence_of(const PairDifference& difference);
+
+// Whether a claimed birth or death is the true one (FC-CLAIM-11).
+[[nodiscard]] bool is_right_value(const ClaimedNumber& claimed, const Rational& truth, const Rational& tolerance);
 
 // How many pairs of positive length a list has, by dimension, with those that last.
 [[nodiscard]] std::array<std::size_t, kPairDimensions> pair_counts(const std::vector<ClaimedPair>& pairs);

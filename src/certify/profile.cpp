@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array<const char*, kProfileParts> kPartNames = {
     "points",  "U2", "S2",       "polylines", "skeletons", "lambda-lists", "connections",
-    "volumes", "U1", "infinity", "pockets",   "orbits",    "persistence"};
+    "volumes", "U1", "infinity", "pockets",   "orbits",    "persistence",  "cycles"};
 
 // A part that is claimed of single points.
 struct PartOfPoints {

@@ -48,14 +48,15 @@ class LevelProgress {
   std::optional<ProgressLine> line_;
 };
 
-// A claimed flow complex, or a persistence diagram.
-using AnyClaim = std::variant<Claim, std::vector<ClaimedPair>>;
+// A claimed flow complex, a persistence diagram, or cycles.
+using AnyClaim = std::variant<Claim, std::vector<ClaimedPair>, CycleClaim>;
 
 AnyClaim claim_of(const std::string& path, const std::string& format, bool unlimited) {
   const ProgressLine progress("reading the claim");
   const std::string bytes = io::read_bytes(path);
   std::string decompressed;
   const std::string_view content = io::plain_content(bytes, path, decompressed, unlimited);
+  if (format.empty() && is_cycle_claim(content, path)) return claimed_cycles_of(content, path);
   if (format.empty() && !is_pair_claim(content, path)) return claim_in(content, path, unlimited);
   return claimed_pairs_of(content, path);
 }
@@ -99,14 +100,31 @@ std::vector<ListedPair> true_pairs(const CheckCommandOptions& options, const Oth
   return listed_pairs(FlowComplex(input.points, complex_options(input), part_progress()));
 }
 
+void refuse_levels(const CheckCommandOptions& options, const char* kind) {
+  if (options.files.check.highest_level == kLevels && options.files.check.indices == CheckOptions{}.indices) return;
+  throw InvalidInput(fmt::format("--levels and --indices are for flow complexes, and the claim is {}", kind));
+}
+
 int check_diagram(const CheckCommandOptions& options, const OtherTruth& oracle, const Input& input,
                   const std::vector<ClaimedPair>& claimed) {
-  if (options.files.check.highest_level != kLevels || options.files.check.indices != CheckOptions{}.indices) {
-    throw InvalidInput("--levels and --indices are for flow complexes, and the claim is a persistence diagram");
-  }
+  refuse_levels(options, "a persistence diagram");
   CheckedFiles files = options.files;
   files.claim_format = "persistence";
   const PairReport report = report_of_pairs(claimed, true_pairs(options, oracle, input), options.files.check.tolerance);
+  return told(options, files, report, input.points);
+}
+
+int check_cycles(const CheckCommandOptions& options, const Input& input, const CycleClaim& claim) {
+  refuse_levels(options, "of cycles");
+  if (options.files.by_oracle) throw InvalidInput("--oracle judges no cycles");
+  require_rows(claim, input.points, options.files.claim);
+  CheckedFiles files = options.files;
+  files.claim_format = "cycles";
+  const PairReport report = [&] {
+    const ProgressLine progress("judging cycles");
+    return report_of_cycles(claim, FlowComplex(input.points, complex_options(input), part_progress()),
+                            options.files.check.tolerance);
+  }();
   return told(options, files, report, input.points);
 }
 
@@ -121,6 +139,7 @@ int check_claim(CheckCommandOptions options, const OtherTruth& oracle) {
   files.points = input.name;
   files.claim = display_name(files.claim);
   if (auto* complex = std::get_if<Claim>(&claim)) return check_complex(options, oracle, input, std::move(*complex));
+  if (const auto* cycles = std::get_if<CycleClaim>(&claim)) return check_cycles(options, input, *cycles);
   return check_diagram(options, oracle, input, std::get<std::vector<ClaimedPair>>(claim));
 }
 
@@ -134,8 +153,9 @@ void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
       ->add_option(
           "CLAIM", options->files.claim,
           "What an implementation claims of it: JSON Lines as compute -o writes them, JSON as pockets --json "
-          "writes it, CSV, VTP, or the text format of Giesen and Kühne's algorithm; or a persistence diagram, as "
-          "persistence writes it or as lines of dimension, birth and death; also as .gz; - for standard input")
+          "writes it, CSV, VTP, or the text format of Giesen and Kühne's algorithm; a persistence diagram, as "
+          "persistence writes it or as lines of dimension, birth and death; or cycles, as cycles --json writes them or "
+          "as lines; also as .gz; - for standard input")
       ->required();
   command
       ->add_option("--claim-format", options->claim_format,
@@ -162,7 +182,7 @@ void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
       "Examples:\n  flowcert check bunny.obj claim.jsonl\n  flowcert check bunny.obj claim.csv --tolerance "
       "1e-6 "
       "--junit report.xml\n  flowcert check bunny.obj saddles.csv --indices 1,2,3\n  flowcert persistence "
-      "bunny.obj -o d.pers; flowcert check bunny.obj d.pers");
+      "bunny.obj -o d.pers; flowcert check bunny.obj d.pers\n  flowcert check bunny.obj bunny.json");
   command->callback([options, oracle, &status] { status = check_claim(*options, oracle); });
 }
 

@@ -266,8 +266,7 @@ Json orbit_findings_field(const CaseOutcome& outcome) {
 Json persistence_findings_field(const std::vector<PairDifference>& differences) {
   Json field = Json::array();
   for (const PairDifference& difference : differences) {
-    field.push_back(
-        {{"reason", reason_text(difference)}, {"claimed", difference.claimed}, {"truth", difference.truth}});
+    field.push_back({{"reason", difference.reason}, {"claimed", difference.claimed}, {"truth", difference.truth}});
   }
   return field;
 }

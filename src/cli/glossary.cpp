@@ -20,6 +20,7 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
     {"approximate", "A grade of a claim: it has decimals, which are right within the tolerance."},
     {"ball-not-empty", "A finding: another point lies inside of the sphere, so that its centre is not critical."},
     {"birth", "The distance at which a component, tunnel or void begins as balls around all points grow."},
+    {"born-earlier", "A finding: a loop stands for a tunnel that is born before the claimed birth."},
     {"boundary", "Of a saddle of index 2: the saddles of index 1 around its stable surface."},
     {"cavity", "A pocket that a probe cannot leave: every way to infinity is narrower somewhere."},
     {"cell",
@@ -46,12 +47,16 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
      "A place where the distance to the nearest points has no direction of growth: it lies inside the "
      "hull of its contact set."},
     {"death", "The distance at which a component joins an older one, or a tunnel or a void is filled."},
+    {"dependent", "A finding: a cycle is a sum of other claimed ones, so that it stands for no further pair."},
     {"depth", "Of a pocket: the radius of its largest ball less that of its widest mouth."},
     {"diagram", "All persistence pairs, as places with birth and death."},
+    {"dies-earlier", "A finding: a loop is filled before the claimed death."},
+    {"dies-later", "A finding: a loop is not filled yet at the claimed death."},
     {"dimension", "Of a pair: 0 for components, 1 for tunnels, 2 for voids."},
     {"driver",
      "The point of the hull of the nearest points that is nearest to a place. The flow leads straight away "
      "from it."},
+    {"edge-too-long", "A finding: half an edge of a loop is longer than the level, so that it leaves the balls."},
     {"flow", "It leads from each place to where the distance to the nearest points grows fastest."},
     {"gabriel",
      "Of an edge or triangle of Delaunay: its smallest sphere has no other point inside. These have the "
@@ -78,6 +83,7 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
     {"missing", "A finding: a critical point that the claim does not have."},
     {"morse-smale", "Of a flow complex: all connections lead to the next index, so that no tie had to be broken."},
     {"mouth", "A saddle of index 2 that leads out of a pocket, to another one or outside."},
+    {"not-a-cycle", "A finding: edges that do not close, or triangles."},
     {"not-cospherical", "A finding: the points that are named lie on no common sphere centred in their hull."},
     {"orbit", "The way of the flow from a place: straight segments, to a stationary point or to infinity."},
     {"outside", "What is open to infinity, beyond all pockets."},
@@ -121,6 +127,7 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
      "Of a distance: in its square. Exact distances are roots, and their squares are rational, so files have those."},
     {"stable manifold", "All places from which the flow comes to a critical point."},
     {"stationary point", "A place that the flow does not leave: a critical or a regular stationary point."},
+    {"surface-boundary", "A finding: a surface that does not end at its loop."},
     {"symbolic-perturbation", "A permitted variation: right for points that are moved a little, as many programs do."},
     {"tie",
      "Where the flow comes to a saddle, or several ways lead on equally. One is taken; pairs do not depend on it."},
@@ -128,6 +135,7 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
     {"timed-out", "An outcome: the program took longer than its time limit, and was ended."},
     {"tolerance",
      "How far a claimed decimal may be off, in parts of a radius or of itself. What is combinatorial has none."},
+    {"triangle-too-large", "A finding: the smallest ball of a triangle is larger than the level."},
     {"tunnel",
      "A class of dimension 1: a way through, as through a ring or a tube. It is born as the ring closes, and dies "
      "where balls fill its narrowest place."},
@@ -143,6 +151,7 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
     {"volume",
      "Of a pocket: of its cell, which reaches up to the points, so that it is more than what a probe can fill."},
     {"widest", "Of a pocket: the narrowest place of its widest way to infinity."},
+    {"wrong-components", "A finding: other components than those that come together at a death."},
     {"wrong-connections", "A finding: other numbers of orbits between stationary points."},
     {"wrong-counts", "A finding: a number of points, critical points or samples is not right, or the Euler sum."},
     {"wrong-incidence", "A finding: a saddle's orbits end, or its boundary lies, elsewhere than claimed."},
@@ -154,6 +163,7 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
     {"wrong-position", "A finding: a centre or a distance is off by more than rounding explains."},
     {"wrong-surface", "A finding: a stable surface has other pieces."},
     {"wrong-unstable-set", "A finding: an unstable surface has other parts."},
+    {"wrong-void", "A finding: a void has other maxima, cells or walls at its level."},
     {"wrong-volume", "A finding: the volume of a stable manifold is another one."},
 });
 

@@ -11,6 +11,7 @@
 #include "flowcert/loops.h"
 #include "geometry/floating_point.h"
 #include "morse/layer.h"
+#include "morse/toggle.h"
 
 namespace flowcert {
 
@@ -19,17 +20,12 @@ using namespace morse;
 namespace {
 
 // Points in the order of the reduction: by value, and then by place in the list.
-using Place = std::pair<std::uint32_t, std::uint32_t>;
+using RankedPoint = std::pair<std::uint32_t, std::uint32_t>;
 
 struct Coboundary {
   std::set<std::uint32_t> edges;  // the sum of these points' coboundaries
-  std::set<Place> saddles;
+  std::set<RankedPoint> saddles;
 };
-
-template <class Item>
-void toggle(std::set<Item>& items, const Item& item) {
-  if (const auto [at, is_new] = items.insert(item); !is_new) items.erase(at);
-}
 
 class Coboundaries {
  public:
@@ -66,7 +62,7 @@ class Coboundaries {
           continue;
         }
         for (const std::uint32_t item : other->second.edges) toggle(column.edges, item);
-        for (const Place& item : other->second.saddles) toggle(column.saddles, item);
+        for (const RankedPoint& item : other->second.saddles) toggle(column.saddles, item);
         continue;
       }
       unfinished.pop_back();
@@ -81,8 +77,8 @@ class Coboundaries {
   }
 
  private:
-  [[nodiscard]] std::set<Place> places(std::span<const std::uint32_t> saddles) const {
-    std::set<Place> found;
+  [[nodiscard]] std::set<RankedPoint> places(std::span<const std::uint32_t> saddles) const {
+    std::set<RankedPoint> found;
     for (const std::uint32_t saddle : saddles) found.emplace(persistence_.squared_distances().rank(saddle), saddle);
     return found;
   }

@@ -36,26 +36,31 @@ std::vector<std::uint32_t> Loops::surface(const PersistencePair& pair, const Squ
   if (pair.dimension != 1 || !pair.death) throw std::invalid_argument("a surface of a pair of another dimension");
   const geometry::IeeeDoubles ieee;
   const SquaredDistances& values = persistence_->squared_distances();
+  // The births of what is added descend.
+  const auto added = added_to(*pair.death);
+  const auto end = std::ranges::find_if(
+      added, [&](std::uint32_t from) { return values.compare(persistence_->partner(from), level) <= 0; });
+  return surface_of(*pair.death, added.first(static_cast<std::size_t>(end - added.begin())));
+}
+
+std::vector<std::uint32_t> Loops::whole_surface(std::uint32_t death) const {
+  return surface_of(death, added_to(death));
+}
+
+std::vector<std::uint32_t> Loops::surface_of(std::uint32_t death, std::span<const std::uint32_t> added) const {
+  const SquaredDistances& values = persistence_->squared_distances();
   // The latest one comes first.
   std::priority_queue<std::pair<std::uint32_t, std::uint32_t>> left;
   const auto push = [&](std::uint32_t saddle) { left.emplace(values.rank(saddle), saddle); };
-  const auto added_to = [&](std::uint32_t saddle) {
-    const std::size_t k = saddle - first_saddle_;
-    return std::span(added_).subspan(first_added_[k], first_added_[k + 1] - first_added_[k]);
-  };
-  std::vector<std::uint32_t> surface{*pair.death};
-  // The births of what is added descend.
-  for (const std::uint32_t from : added_to(*pair.death)) {
-    if (values.compare(persistence_->partner(from), level) <= 0) break;
-    push(from);
-  }
+  std::vector<std::uint32_t> surface{death};
+  std::ranges::for_each(added, push);
   while (!left.empty()) {
     const auto latest = left.top();
     bool is_odd = false;
     for (; !left.empty() && left.top() == latest; left.pop()) is_odd = !is_odd;
     if (!is_odd) continue;
     surface.push_back(latest.second);
-    for (const std::uint32_t from : added_to(latest.second)) push(from);
+    std::ranges::for_each(added_to(latest.second), push);
   }
   std::ranges::sort(surface);
   return surface;

@@ -7,24 +7,12 @@
 #include "geometry/floating_point.h"
 #include "geometry/keep_unique.h"
 #include "morse/layer.h"
+#include "morse/part_with.h"
 #include "morse/record_finder.h"
 
 namespace flowcert {
 
 using namespace morse;
-
-namespace {
-
-// The last part of a tree that has the leaf, through nodes that join it before a level.
-template <class IsBefore>
-std::uint32_t part_with(std::uint32_t leaf, const MergeTree& tree, const std::vector<std::uint32_t>& parents,
-                        const IsBefore& is_before) {
-  std::uint32_t part = leaf;
-  while (parents[part] != MergeTree::kNone && is_before(tree.nodes[parents[part] - tree.leaves])) part = parents[part];
-  return part;
-}
-
-}  // namespace
 
 template <class LeavesOf>
 Voids::ByLeaf Voids::by_leaf(const LeavesOf& leaves_of) const {

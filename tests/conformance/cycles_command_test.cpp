@@ -2,6 +2,7 @@
 // src/cli/manual/cycles.md, files, and what it refuses.
 //
 // Guarantees: what is expected of a square, a tetrahedron and an octahedron was worked out by hand.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -153,6 +154,56 @@ TEST(CyclesCommand, WritesFiles) {
             (std::set<std::string>{"loop_surfaces.vtp", "loops.vtp", "pair_0.ply", "pair_1.ply", "pair_2.ply"}));
   EXPECT_EQ(names(voids), (std::set<std::string>{"pair_0.ply", "voids.vtu"}));
   EXPECT_NE(content_of(loops + "/loops.vtp").find("flowcert-export 1"), std::string::npos);
+}
+
+TEST(CyclesCommand, ChecksWhatItWrites) {
+  CITES("FC-CLAIM-25", "FC-FILE-53");
+  const Scratch scratch;
+  std::string rows;
+  for (int k = 0; k < 80; ++k) rows += fmt::format("{} {} {}\n", k * k % 17, k * k * k % 19, k * 7 % 13);
+  const std::string points = scratch.file("points.xyz", rows);
+  for (const Words& words : {Words{"--dimension", "0"}, Words{"--dimension", "2", "--level", "birth"},
+                             Words{"--longest", "40"}, Words{"--level", "death"}}) {
+    Words cycles{"cycles", points, "--json"};
+    cycles.insert(cycles.end(), words.begin(), words.end());
+    const std::string claim = scratch.file("claim.json", flowcert(cycles).out);
+    const Finished checked = flowcert({"check", points, claim});
+    EXPECT_EQ(checked.status, 0) << checked.out;
+    EXPECT_NE(checked.out.find("\nconforms (exact; truth by the fast implementation)\n"), std::string::npos);
+  }
+}
+
+TEST(CyclesCommand, ChecksLinesOfOthers) {
+  CITES("FC-CLAIM-25", "FC-FILE-53");
+  const Scratch scratch;
+  const std::string square = scratch.file("square.xyz", "0 0 0\n2 0 0\n2 2 0\n0 2 0\n");
+  const std::string right = scratch.file("right.txt", "cycles 1 all\npair 1.0 2.0\nloop 3 2 1 0\n");
+  const Finished conforms = flowcert({"check", square, right});
+  EXPECT_EQ(conforms.status, 0);
+  EXPECT_NE(conforms.out.find("conforms to 1.1, cycles, approximate within 1e-09"), std::string::npos);
+  const std::string wrong = scratch.file("wrong.txt", "cycles 1\npair 0,1/0,1,2,3\nloop 0 1 2\n");
+  const std::string junit = scratch.path("junit.xml");
+  const Finished fails = flowcert({"check", square, wrong, "--junit", junit});
+  EXPECT_EQ(fails.status, 1);
+  EXPECT_NE(unbroken(fails.out).find(":2: edge-too-long [FC-CLAIM-25]: claimed cycle 0 of dimension 1"),
+            std::string::npos)
+      << fails.out;
+  EXPECT_NE(fails.out.find("This loop leaves the balls that there are at its level. This is a bug."),
+            std::string::npos);
+  EXPECT_NE(content_of(junit).find("name=\"cycles\""), std::string::npos);
+  const auto json = nlohmann::json::parse(flowcert({"check", square, wrong, "--json"}).out);
+  EXPECT_EQ(json["claim_format"], "cycles");
+  EXPECT_EQ(json["cycles"][1],
+            nlohmann::json({{"dimension", 1}, {"claimed", 1}, {"true", 1}, {"wrong", 1}, {"missing", 0}}));
+  EXPECT_EQ(json["findings"][0]["reason"], "edge-too-long");
+  for (const Words& words : {Words{"--oracle"}, Words{"--levels", "2"}}) {
+    Words check{"check", square, right};
+    check.insert(check.end(), words.begin(), words.end());
+    EXPECT_EQ(flowcert(check).status, 2);
+  }
+  const std::string refused = scratch.file("refused.txt", "cycles 1\npair 1 2\nloop 0 1 4\n");
+  EXPECT_EQ(flowcert({"check", square, refused}).err,
+            "flowcert: " + refused + ":2: there is no point 4; the ids are 0 to 3\n");
 }
 
 TEST(CyclesCommand, RefusesInOneLine) {

@@ -145,6 +145,7 @@ class ExampleFolder {
     for (const char* name : {"bunny", "cube"}) {
       const std::string path = scratch_.path(name);
       ASSERT_EQ(flowcert({"compute", path + ".xyz", "-o", path + ".jsonl"}).status, 0);
+      (void)scratch_.file(std::string(name) + ".json", flowcert({"cycles", path + ".xyz", "--witness", "--json"}).out);
     }
     std::filesystem::copy(scratch_.path("bunny.jsonl"), scratch_.path("claim.jsonl"));
     std::string all, saddles;

@@ -21,6 +21,7 @@
 
 #include "certify/viewer_claim.h"
 #include "flowcert/connections.h"
+#include "flowcert/loop_classes.h"
 #include "flowcert/loops.h"
 #include "flowcert/profile.h"
 #include "flowcert/reproducibility.h"
@@ -376,6 +377,23 @@ void add_manifolds(Calls& calls, const Made& m) {
     });
     calls.add("Loops::witness",
               [&, pair] { return Loops(stationary, m.complex.links(), m.complex.persistence()).witness(pair); });
+    // A loop of long edges, at the level of the longest.
+    const std::vector<SampleEdge> loop = {{0, 1}, {1, 2}, {2, 0}};
+    const SquaredLevel level(Rational(9));
+    calls.add("LoopClasses::of", [&, loop, level, pair] {
+      const LoopClass found = LoopClasses(m.complex).of(loop, pair, level);
+      return result_text(found.dying) + reason_text(found.fault);
+    });
+    calls.add("LoopClasses::represent", [&, loop, level, pair] {
+      return LoopClasses(m.complex).represent(std::vector<std::vector<SampleEdge>>{loop}, pair, level);
+    });
+    calls.add("LoopClasses::are_homologous",
+              [&, loop, level] { return LoopClasses(m.complex).are_homologous(loop, {}, level); });
+    calls.add("LoopClasses::as_index_1_points", [&, loop] { return LoopClasses(m.complex).as_index_1_points(loop); });
+    calls.add("LoopClasses::deaths_of", [&, loop] {
+      LoopClasses classes(m.complex);
+      return classes.deaths_of(classes.as_index_1_points(loop)).value();
+    });
   }
   const auto first_edge = static_cast<std::uint32_t>(stationary.critical_counts()[0]);
   calls.add("components_at", [&, first_edge] { return components_at(m.complex.merge_trees(), first_edge); });
@@ -682,7 +700,8 @@ const std::set<std::string> kWithoutDoubles = {
     "MergeTrees::maxima", "MergeTrees::record_of", "MergeTrees::peaks_above", "MergeTrees::peaks_above_sides",
     "MergeTrees::limits_above", "MergeTrees::saddles_down", "MergeTrees::upper_points_down", "Persistence::pairs",
     "Persistence::squared_distances", "Persistence::partner", "Persistence::additions", "Loops::Loops",
-    "Loops::boundary", "Loops::polygons", "passage_text",
+    "Loops::boundary", "Loops::polygons", "Loops::whole_surface", "LoopClasses::LoopClasses", "odd_edges",
+    "dependent_sums", "passage_text",
     "Pockets::size", "Pockets::cells", "Pockets::outside", "Pockets::squared_persistence", "Pockets::squared_distances",
     "SquaredDistances::ascending", "SquaredDistances::rank", "SquaredDistances::approximation",
     "SquaredDistances::prefetch", "back_kind_text",

@@ -88,7 +88,7 @@ TEST(FindingSentences, OfPairs) {
   EXPECT_EQ(sentence_of(difference), "You missed this void. This is a bug.");
   difference = {.claimed = "", .truth = "", .dimension = 0, .is_claimed = true, .is_true = true};
   EXPECT_EQ(sentence_of(difference), "This component has another birth or death. This is a bug.");
-  EXPECT_NE(cli::entry_of(reason_text(difference)), nullptr);
+  EXPECT_NE(cli::entry_of(difference.reason), nullptr);
 }
 
 TEST(Glossary, FindsWordsInAnyForm) {

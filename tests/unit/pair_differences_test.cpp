@@ -102,12 +102,12 @@ TEST(PairDifferences, TellRoundingApart) {
   const Rational ulp = Rational(1) / Rational(1L << 50);
   const auto near = pair_differences({{1, decimal(1), decimal(5 + ulp)}}, truth, 0);
   ASSERT_EQ(near.size(), 1U);
-  EXPECT_TRUE(near[0].by_rounding);
+  EXPECT_EQ(near[0].reason, "rounding");
   EXPECT_EQ(near[0].claimed, "dimension 1, birth 1, death 5.000000000000001");
   EXPECT_EQ(near[0].truth, "dimension 1, birth 1, death 5");
   const auto far = pair_differences({{1, decimal(1), decimal(5 + parts(1))}}, truth, 0);
   ASSERT_EQ(far.size(), 1U);
-  EXPECT_FALSE(far[0].by_rounding);
+  EXPECT_EQ(far[0].reason, "wrong-pair");
   EXPECT_EQ(pair_differences({}, truth, 1e-9)[0].claimed, "no such pair");
 }
 

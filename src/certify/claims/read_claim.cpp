@@ -20,7 +20,9 @@ namespace {
 // The order in which formats are tried. The last one takes every file that the others do not recognise.
 constexpr std::array kFormats = {&kPocketClaims, &kExchangeClaims, &kVtpClaims, &kGiesenKuehneClaims, &kCsvClaims};
 
-void require_ids(std::span<const PointId> ids, const PointSet& points, const LinePlace& place) {
+}  // namespace
+
+void certify::require_ids(std::span<const PointId> ids, const PointSet& points, const LinePlace& place) {
   for (const PointId id : ids) {
     if (id < points.row_count()) continue;
     const std::string truth =
@@ -28,8 +30,6 @@ void require_ids(std::span<const PointId> ids, const PointSet& points, const Lin
     place.reject("there is no point " + std::to_string(id) + "; " + truth);
   }
 }
-
-}  // namespace
 
 Claim certify::claim_in(std::string_view content, const std::string& name, bool unlimited) {
   const geometry::IeeeDoubles ieee;

@@ -47,8 +47,9 @@ std::string orbit_finding_words(const OrbitFinding& finding) {
 }
 
 std::string persistence_finding_words(const PairDifference& difference) {
-  return one_line(fmt::format("persistence{}: claimed {}; truth: {}", difference.by_rounding ? ", rounding" : "",
-                              difference.claimed, difference.truth));
+  return one_line(fmt::format("persistence{}: claimed {}; truth: {}",
+                              difference.reason == "rounding" ? ", rounding" : "", difference.claimed,
+                              difference.truth));
 }
 
 // ---- A case ----
@@ -289,7 +290,7 @@ class CaseRun {
     auto differences = pair_differences(claimed, *case_.persistence, options_.check.tolerance);
     if (differences.empty()) return;
     for (const PairDifference& difference : differences) {
-      add_reason(reason_text(difference), persistence_finding_words(difference));
+      add_reason(difference.reason, persistence_finding_words(difference));
     }
     fail(run, RunOutcome::kFails, persistence_finding_words(differences.front()));
     if (differences.size() > kMostFindings) differences.resize(kMostFindings);

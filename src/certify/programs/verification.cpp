@@ -270,7 +270,7 @@ void Verification::judge_pairs(const AskedCase& one, const Answer& answer, Faile
   result.wrong = differences.size();
   std::set<std::string> known;
   for (const PairDifference& difference : differences) {
-    const std::string reason = reason_text(difference);
+    const std::string reason = difference.reason;
     if (!known.insert(reason).second) continue;
     FailedCase* const smallest = count_reason(one, result, reason);
     if (smallest != nullptr) smallest->pair_findings.push_back(difference);

@@ -36,8 +36,9 @@ enum class ProfilePart : std::uint8_t {
   kPockets,
   kOrbits,
   kPersistence,
+  kCycles,
 };
-inline constexpr std::size_t kProfileParts = 13;
+inline constexpr std::size_t kProfileParts = 14;
 
 class Profile {
  public:

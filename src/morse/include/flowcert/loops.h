@@ -39,6 +39,9 @@ class Loops {
   // death. The surface ascends. O(k log k) for k additions that make it. Throws std::invalid_argument for a pair of
   // another dimension.
   [[nodiscard]] std::vector<std::uint32_t> surface(const PersistencePair& pair, const SquaredLevel& level) const;
+  // All that the reduction of pairs adds to a death point of dimension 1, with the point itself: its boundary is the
+  // reduced one, of which the point's partner is the latest. Ascending.
+  [[nodiscard]] std::vector<std::uint32_t> whole_surface(std::uint32_t death) const;
   // The boundary of a surface. Ascending.
   [[nodiscard]] std::vector<std::uint32_t> boundary(std::span<const std::uint32_t> surface) const;
   // The pair has dimension 1. The reduction of coboundaries, as far as this pair needs it: cubic at worst. Throws
@@ -49,6 +52,12 @@ class Loops {
   [[nodiscard]] std::vector<LoopPolygon> polygons(std::span<const std::uint32_t> loop) const;
 
  private:
+  [[nodiscard]] std::span<const std::uint32_t> added_to(std::uint32_t saddle) const {
+    const std::size_t k = saddle - first_saddle_;
+    return std::span(added_).subspan(first_added_[k], first_added_[k + 1] - first_added_[k]);
+  }
+  [[nodiscard]] std::vector<std::uint32_t> surface_of(std::uint32_t death, std::span<const std::uint32_t> added) const;
+
   const StationaryPoints* stationary_;
   const SaddleLinks* links_;
   const Persistence* persistence_;
