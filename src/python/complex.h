@@ -15,6 +15,7 @@
 
 #include "arrays.h"
 #include "flowcert/flow_complex.h"
+#include "flowcert/loop_classes.h"
 
 namespace flowcert::python {
 
@@ -99,6 +100,12 @@ class Complex {
   [[nodiscard]] pybind11::list cycles(int dimension, std::size_t longest, const std::optional<std::string>& persistence,
                                       const std::optional<std::array<std::vector<PointId>, 2>>& pair,
                                       const std::string& level) const;
+
+  // Loops are edges of two rows each. Numbers are hexadecimal; without a level it is that of the birth.
+  using LoopEdges = std::vector<SampleEdge>;
+  [[nodiscard]] bool represents(const std::vector<LoopEdges>& loops, std::uint32_t birth, std::uint32_t death,
+                                const std::optional<std::string>& squared_level) const;
+  [[nodiscard]] bool homologous(const LoopEdges& loop, const LoopEdges& other, const std::string& squared_radius) const;
 
   // (pockets, outside, gates, largest_balls, squared_persistence), as Pockets has them (flowcert/_pockets.py).
   // persistence is a bound as commands take it, and the probe hexadecimal.

@@ -1,13 +1,15 @@
 // Cycles for Python: loops with their surfaces, voids, and components that come together.
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "arrays.h"
 #include "complex.h"
-#include "flowcert/loops.h"
+#include "flowcert/loop_classes.h"
 #include "flowcert/surface.h"
 #include "flowcert/voids.h"
 #include "io/cycle_exports.h"
@@ -116,6 +118,44 @@ py::list Complex::cycles(int dimension, std::size_t longest, const std::optional
     list.append(py::make_tuple(py::make_tuple(ends.birth, *ends.death), shown, made));
   }
   return list;
+}
+
+namespace {
+
+void require_rows(const std::vector<SampleEdge>& loop, const PointSet& points) {
+  for (const SampleEdge& edge : loop) {
+    const PointId row = std::max(edge[0], edge[1]);
+    if (row >= points.row_count()) {
+      throw InvalidInput("there is no point " + std::to_string(row) + "; there are " +
+                         std::to_string(points.row_count()));
+    }
+  }
+}
+
+}  // namespace
+
+bool Complex::represents(const std::vector<LoopEdges>& loops, std::uint32_t birth, std::uint32_t death,
+                         const std::optional<std::string>& squared_level) const {
+  const ReleasedLock released;
+  for (const std::uint32_t record : {birth, death}) require_record(record);
+  for (const LoopEdges& loop : loops) require_rows(loop, complex_.points());
+  const StationaryPoints& stationary = complex_.stationary();
+  if (stationary.index(birth) != StationaryIndex{1, 1} || stationary.index(death) != StationaryIndex{2, 2}) {
+    throw InvalidInput("pair: not a critical point of index 1 and one of index 2");
+  }
+  const SquaredDistances& values = complex_.persistence().squared_distances();
+  const SquaredLevel level =
+      squared_level ? SquaredLevel(rational_of(*squared_level)) : SquaredLevel(values, birth, birth, 0);
+  if (values.compare(birth, level) > 0 || values.compare(death, level) <= 0) {
+    throw InvalidInput("squared_level: not from the birth on, and before the death");
+  }
+  return LoopClasses(complex_).represent(loops, {1, birth, death}, level);
+}
+
+bool Complex::homologous(const LoopEdges& loop, const LoopEdges& other, const std::string& squared_radius) const {
+  const ReleasedLock released;
+  for (const LoopEdges* one : {&loop, &other}) require_rows(*one, complex_.points());
+  return LoopClasses(complex_).are_homologous(loop, other, rational_of(squared_radius));
 }
 
 }  // namespace flowcert::python

@@ -79,6 +79,79 @@ def test_cycles_are_those_of_the_program(tmp_path_factory, points, dimension, le
             assert cycle.volume == other["volume"]
 
 
+RING = [[0, 0, 0], [2, 0, 0], [4, 0, 0], [4, 2, 0], [4, 4, 0], [2, 4, 0], [0, 4, 0], [0, 2, 0]]
+
+
+def pair_of(fc, birth, death):
+    """Of values, which are squared."""
+    [pair] = [loop.pair for loop in fc.cycles(persistence=0) if [fc.exact(i)[1] for i in loop.pair] == [birth, death]]
+    return pair
+
+
+def test_loops_represent_a_tunnel():
+    fc = flowcert.FlowComplex(RING)
+    pair = pair_of(fc, 1, 4)
+    around = [0, 1, 2, 3, 4, 5, 6, 7]
+    edges = np.column_stack([around, np.roll(around, -1)])
+    for loop in (around, [around], edges, edges[::-1], [np.array(around)]):
+        assert fc.represents([loop], pair)
+    assert not fc.represents([], pair)
+    assert not fc.represents([around, around], pair)
+    assert not fc.represents([around[:-1]], pair)
+    # Its edges have the length of a diagonal, and are split at the corners.
+    assert not fc.represents([[1, 3, 5, 7]], pair)
+    assert not fc.represents([[1, 3, 5, 7]], pair, Fraction(15, 8))
+    assert fc.represents([[1, 3, 5, 7]], pair, 2)
+    assert fc.represents([[[1, 3], [3, 5], [5, 7], [7, 1]]], pair, 2.0)
+
+
+@hypothesis.given(points=SMALL | DRAWN, level=strategies.sampled_from(["birth", "25%", "death"]))
+def test_our_loops_represent_their_pairs(points, level):
+    hypothesis.assume(len(points) > 0)
+    fc = flowcert.FlowComplex(points)
+    loops = fc.cycles(level=level, persistence=0)
+    by_values = {}
+    for loop in loops:
+        birth, death = (fc.exact(i)[1] for i in loop.pair)
+        by_values.setdefault(death if level != "birth" else (birth, death), []).append(loop)
+    for same in by_values.values():
+        at = max(loop.squared_level for loop in same)
+        if level == "birth" or all(fc.exact(loop.pair[0])[1] <= at for loop in same):
+            assert flowcert.represents(same, same[0].pair)
+        assert not flowcert.represents(same + same[:1], same[0].pair)
+        assert fc.homologous(same[0], same[0].polygons, at)
+        assert not fc.homologous(same[0], [], at)
+        assert fc.homologous(same[0], [], fc.exact(same[0].pair[1])[1])
+
+
+def test_loops_are_homologous():
+    fc = flowcert.FlowComplex(RING)
+    around, inner = [0, 1, 2, 3, 4, 5, 6, 7], [1, 3, 5, 7]
+    assert fc.homologous(around, inner, 2)
+    assert not fc.homologous(around, inner, Fraction(3, 2)), "an edge leaves the balls"
+    assert not fc.homologous(around, [], 3.9)
+    assert fc.homologous(around, [], 4)
+
+
+@pytest.mark.parametrize(
+    "loops, pair, level, complaint",
+    [
+        ([[0, 1, 9]], (7, 8), None, "there is no point 9; there are 4"),
+        ([[0, -1, 2]], (7, 8), None, "a loop is a Loop, rows"),
+        ([[0.5, 1, 2]], (7, 8), None, "a loop is a Loop, rows"),
+        ([[0, 1, 2, 3]], (0, 8), None, "pair: not a critical point of index 1"),
+        ([[0, 1, 2, 3]], (7, 8), 2, "squared_level: not from the birth on"),
+        ([[0, 1, 2, 3]], (7, 8), 0.5, "squared_level: not from the birth on"),
+        ([[0, 1, 2, 3]], (7, 8), "half", "squared_level must be numbers"),
+    ],
+)
+def test_what_represents_refuses(loops, pair, level, complaint):
+    with pytest.raises(ValueError, match=complaint):
+        flowcert.FlowComplex(SQUARE).represents(loops, pair, level)
+    with pytest.raises(ValueError, match="loops: not Loop objects of one complex"):
+        flowcert.represents(loops, pair)
+
+
 @pytest.mark.parametrize(
     "choice, complaint",
     [

@@ -15,6 +15,7 @@ What there is:
 
     FlowComplex(points)     critical points, persistence, surfaces, lines, orbits, volumes, connections
     check(points, claim)    whether critical points that you have computed are right, and which are not
+    represents(loops, pair) whether loops stand for a tunnel
     read_points(path)       the points of a PLY, OBJ, OFF or text file
     generate(family, seed)  degenerate inputs to test programs with
     families()              the names of the families, with a line on each
@@ -29,7 +30,7 @@ are.
 from ._check import check
 from ._core import made_by as __made_by__
 from ._core import version as __version__
-from ._cycles import Joined, Loop, Void
+from ._cycles import Joined, Loop, Void, represents
 from ._flow_complex import FlowComplex
 from ._generate import families, generate
 from ._judge import CheckReport, Finding
@@ -68,4 +69,5 @@ __all__ = [
     "families",
     "generate",
     "read_points",
+    "represents",
 ]

@@ -1,8 +1,8 @@
 """What persistence pairs stand for: loops around tunnels, voids, and components that come together."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import List, Tuple, Union
+from typing import Any, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +22,7 @@ class Loop:
     saddles        int64 array, the index-2 points whose stable manifolds make the surface, places in critical_points
     surface        a Mesh; the boundary of its triangles is the loop, mod 2
     length         float, the length of all edges
+    complex        the FlowComplex
     """
 
     pair: Tuple[int, int]
@@ -31,6 +32,7 @@ class Loop:
     saddles: NDArray[np.int64]
     surface: Mesh
     length: float
+    complex: Any = field(default=None, repr=False)
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,9 +73,41 @@ class Joined:
 Cycle = Union[Loop, Void, Joined]
 
 
-def cycle_of(dimension, answer):
+def cycle_of(complex, dimension, answer):
     pair, squared_level, chain = answer
     if dimension == 0:
         return Joined(pair, chain)
     *some, mesh, measure = chain
-    return (Loop if dimension == 1 else Void)(pair, _exact.fraction(squared_level), *some, Mesh(*mesh), measure)
+    fields = (pair, _exact.fraction(squared_level), *some, Mesh(*mesh), measure)
+    return Loop(*fields, complex) if dimension == 1 else Void(*fields)
+
+
+def edges_of(loop: Any) -> List[List[int]]:
+    """Pairs of rows, of a loop in any form."""
+    if isinstance(loop, Loop):
+        return loop.edges.tolist()
+    parts = [np.asarray(part) for part in loop]
+    if not parts:
+        return []
+    if all(part.ndim == 0 for part in parts):
+        parts = [np.asarray(loop)]
+    if any(part.ndim != 1 or not np.issubdtype(part.dtype, np.integer) or part.min(initial=0) < 0 for part in parts):
+        raise ValueError("a loop is a Loop, rows of a closed polygon, several such polygons, or edges of two rows")
+    if all(len(part) == 2 for part in parts):
+        return [part.tolist() for part in parts]
+    return [[int(a), int(b)] for part in parts for a, b in zip(part, np.roll(part, -1))]
+
+
+def represents(loops: Sequence[Loop], pair: Tuple[int, int], squared_level: Optional[Any] = None) -> bool:
+    """Whether loops that `FlowComplex.cycles` gives are a basis of what stands for pairs (FlowComplex.represents).
+
+    >>> fc = FlowComplex([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]])
+    >>> loops = fc.cycles()
+    >>> represents(loops, loops[0].pair)
+    True
+    """
+    complexes = {id(loop.complex): loop.complex for loop in loops if isinstance(loop, Loop)}
+    if len(complexes) != 1:
+        raise ValueError("loops: not Loop objects of one complex; FlowComplex.represents takes others")
+    [complex] = complexes.values()
+    return complex.represents(loops, pair, squared_level)

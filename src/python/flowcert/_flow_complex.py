@@ -4,13 +4,13 @@ import operator
 import re
 from fractions import Fraction
 from html import escape
-from typing import Any, Dict, Iterable, List, Optional, Tuple, Union
+from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core, _exact, _judge
-from ._cycles import Cycle, cycle_of
+from ._cycles import Cycle, Loop, cycle_of, edges_of
 from ._limits import LambdaList, lambda_list_of
 from ._manifolds import Lines, Mesh, Surfaces
 from ._orbit import Orbit, Position, orbit_of
@@ -336,7 +336,7 @@ class FlowComplex:
             raise ValueError("longest: less than 0")
         names = None if pair is None else tuple(self._contact(place) for place in pair)
         return [
-            cycle_of(dimension, cycle)
+            cycle_of(self, dimension, cycle)
             for cycle in self._core.cycles(
                 dimension,
                 longest,
@@ -345,6 +345,43 @@ class FlowComplex:
                 _words(level, "level"),
             )
         ]
+
+    def represents(self, loops: Sequence[Any], pair: Tuple[int, int], squared_level: Any = None) -> bool:
+        """Whether loops, from here or from any other program, are a basis of what stands for pairs of dimension 1: at
+        the birth of `pair`, for all pairs with its birth and death; at another level, for all that are born up to there
+        and have its death. One loop is one, of a pair that is alone.
+
+        loops: each is a Loop, the rows of a closed polygon, a list of several, or edges, (k, 2) rows. An edge may join
+        any two points.
+        pair: (birth, death), places in critical_points.
+        squared_level: a number, the square of a distance. If it is not given, it is the greatest level of the loops
+        that are Loop, or else the birth.
+
+        >>> square = FlowComplex([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]])
+        >>> square.represents([[0, 1, 2, 3]], (7, 8)), square.represents([[0, 1, 2]], (7, 8))
+        (True, False)
+        """
+        levels = [loop.squared_level for loop in loops if isinstance(loop, Loop)]
+        if squared_level is None and levels:
+            squared_level = max(levels)
+        level = None if squared_level is None else _exact.hexadecimal(_exact.exact(squared_level, "squared_level"))
+        return self._core.represents(
+            [edges_of(loop) for loop in loops], self._place(pair[0]), self._place(pair[1]), level
+        )
+
+    def homologous(self, loop: Any, other: Any, squared_radius: Any) -> bool:
+        """Whether two loops lie among the balls of this squared radius around all points, and one can be deformed into
+        the other there: their sum bounds (mod 2). False, too, if one of them is no cycle, or leaves the balls. An edge
+        pq is among them if |p-q| is at most twice the radius.
+
+        loop, other: as in represents(). [] is the loop that bounds.
+
+        >>> square = FlowComplex([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]])
+        >>> square.homologous([0, 1, 2, 3], [], 1), square.homologous([0, 1, 2, 3], [], 2)
+        (False, True)
+        """
+        radius = _exact.hexadecimal(_exact.exact(squared_radius, "squared_radius"))
+        return self._core.homologous(edges_of(loop), edges_of(other), radius)
 
     def _contact(self, i: int) -> List[int]:
         place, points = self._place(i), self.stationary_points
