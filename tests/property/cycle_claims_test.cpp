@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdio>
 #include <map>
+#include <random>
 #include <set>
 #include <string>
 #include <utility>
@@ -25,7 +26,6 @@
 #include "tests/cites.h"
 #include "tests/property/orbit_subject.h"
 #include "tests/property/property_parameters.h"
-#include "tests/unit/portable_random.h"
 
 namespace flowcert::property::cycle_claims_test {
 namespace {
@@ -38,11 +38,13 @@ using Totals = std::map<std::string, std::size_t>;
 using Edges = std::vector<SampleEdge>;
 
 oracle::Rational rational(const Rational& value) { return oracle::Rational(value); }
+// The same with every standard library, unlike its distributions.
+std::size_t below(std::size_t bound, std::mt19937_64& random) { return random() % bound; }
 ClaimedNumber exact(const Rational& value) { return {value, true}; }
 
 class ChangedLoops {
  public:
-  ChangedLoops(const fuzz::Input& input, flowcert_tests::PortableRandom& random, Totals& totals)
+  ChangedLoops(const fuzz::Input& input, std::mt19937_64& random, Totals& totals)
       : input_(input),
         random_(random),
         complex_(point_set_of(input)),
@@ -63,8 +65,8 @@ class ChangedLoops {
       for (const int share : {0, 1, 3}) {
         const Rational level = birth + share * (death - birth) / 4;
         for (int k = 0; k < kChangesOfALoop; ++k) {
-          const PersistencePair& other = pairs_[random_.below(pairs_.size())];
-          require_same_reason(changed(loop_at(random_.coin() ? pair : other, level)), pair, level);
+          const PersistencePair& other = pairs_[below(pairs_.size(), random_)];
+          require_same_reason(changed(loop_at(below(2, random_) == 0 ? pair : other, level)), pair, level);
         }
       }
       for (const PersistencePair& other : pairs_) {
@@ -97,17 +99,17 @@ class ChangedLoops {
     const Rational at = level < birth || level >= death ? birth : level;
     return edges_of(loops_.boundary(loops_.surface(pair, at)));
   }
-  [[nodiscard]] PointId any_row() { return static_cast<PointId>(random_.below(input_.rows.size())); }
+  [[nodiscard]] PointId any_row() { return static_cast<PointId>(below(input_.rows.size(), random_)); }
 
   [[nodiscard]] Edges changed(Edges loop) {
-    for (std::size_t times = random_.below(3); times-- > 0;) {
-      switch (random_.below(5)) {
+    for (std::size_t times = below(3, random_); times-- > 0;) {
+      switch (below(5, random_)) {
         case 0:  // without an edge
-          if (!loop.empty()) loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(random_.below(loop.size())));
+          if (!loop.empty()) loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(below(loop.size(), random_)));
           break;
         case 1: {  // an edge by way of another sample
           if (loop.empty()) break;
-          const std::size_t k = random_.below(loop.size());
+          const std::size_t k = below(loop.size(), random_);
           const auto [p, q] = loop[k];
           const PointId r = any_row();
           loop[k] = {p, r};
@@ -120,7 +122,7 @@ class ChangedLoops {
           break;
         }
         default: {
-          const PersistencePair& other = pairs_[random_.below(pairs_.size())];
+          const PersistencePair& other = pairs_[below(pairs_.size(), random_)];
           const Edges more = loop_at(other, values_.exact(other.birth));
           loop.insert(loop.end(), more.begin(), more.end());
         }
@@ -155,7 +157,7 @@ class ChangedLoops {
   // Several loops at one level, as a claim of pairs with one birth and death, or one death.
   void require_same_sets(const PersistencePair& pair) {
     const Rational birth = values_.exact(pair.birth), death = values_.exact(*pair.death);
-    const Rational level = birth + static_cast<int>(random_.below(2)) * (death - birth) / 4;
+    const Rational level = birth + static_cast<int>(below(2, random_)) * (death - birth) / 4;
     CycleClaim claim;
     std::vector<oracle::Loop> loops;
     Edges sum;
@@ -168,7 +170,7 @@ class ChangedLoops {
       cycle.squared_level = exact(level);
       cycle.edges = loop_at(other, level);
       // Sometimes the sum of all before it.
-      if (random_.below(2) == 0 && !sum.empty()) cycle.edges = sum;
+      if (below(2, random_) == 0 && !sum.empty()) cycle.edges = sum;
       sum.insert(sum.end(), cycle.edges.begin(), cycle.edges.end());
       loops.push_back(of_oracle(cycle.edges));
       claim.cycles.push_back(std::move(cycle));
@@ -211,7 +213,7 @@ class ChangedLoops {
       const auto contact = complex_.stationary().contact(i);
       all.emplace_back(contact.begin(), contact.end());
     }
-    const auto& one = all[random_.below(all.size())];
+    const auto& one = all[below(all.size(), random_)];
     if (std::erase(contacts, one) == 0) contacts.push_back(one);
   }
 
@@ -255,7 +257,7 @@ class ChangedLoops {
   }
 
   const fuzz::Input& input_;
-  flowcert_tests::PortableRandom& random_;
+  std::mt19937_64& random_;
   FlowComplex complex_;
   oracle::fast::PointSet set_;
   oracle::CechTunnels tunnels_;
@@ -267,14 +269,14 @@ class ChangedLoops {
 };
 
 // Rectangles in circles of one radius, far from each other: their loops are born at different values, and die at one.
-fuzz::Input of_one_death(flowcert_tests::PortableRandom& random) {
+fuzz::Input of_one_death(std::mt19937_64& random) {
   using Sides = std::vector<std::array<int, 2>>;
   static const std::vector<Sides> kCircles = {{{1, 7}, {5, 5}},   {{1, 8}, {4, 7}},  {{2, 9}, {6, 7}},
                                               {{2, 11}, {5, 10}}, {{3, 11}, {7, 9}}, {{1, 18}, {6, 17}, {10, 15}}};
   fuzz::Input input;
   int height = 0;
-  for (const auto& [a, b] : kCircles[random.below(kCircles.size())]) {
-    height += 100 + random.between(0, 9);
+  for (const auto& [a, b] : kCircles[below(kCircles.size(), random)]) {
+    height += 100 + static_cast<int>(below(10, random));
     for (const int x : {-a, a}) {
       for (const int y : {-b, b})
         input.rows.push_back({static_cast<double>(x), static_cast<double>(y), static_cast<double>(height)});
@@ -286,7 +288,7 @@ fuzz::Input of_one_death(flowcert_tests::PortableRandom& random) {
 TEST(CycleClaims, AreJudgedAsTheOracleDoes) {
   CITES("FC-CLAIM-25", "FC-CYC-01", "FC-CYC-02", "FC-CYC-03", "FC-CYC-06");
   Totals totals;
-  flowcert_tests::PortableRandom random(47);
+  std::mt19937_64 random(47);
   bool agreed = true;
   for (const fuzz::Family& family : fuzz::families()) {
     const rc::Gen<fuzz::Input> generator = family.generate();
