@@ -3,6 +3,7 @@
 //   stationary INPUT        lists all stationary points of a small input, by search over all subsets
 //   certify INPUT RECORDS   judges claimed stationary points, drawn at random, by linear scans
 //   orbit INPUT --from X    the flow from one position, by linear scans over all points
+//   witness INPUT CYCLES    judges what shows that pairs of dimension 1 occur, by linear scans
 //
 // Exit status: 0 all right; 1 a claim is wrong; 2 unusable input or usage, with one line on standard error. Without a
 // command it prints what there is on standard output. Nothing was judged then, so the status is 2.
@@ -24,6 +25,7 @@
 #include "oracle/program/out_of_memory.h"
 #include "oracle/program/read_points.h"
 #include "oracle/program/read_records.h"
+#include "oracle/program/read_witnesses.h"
 #include "oracle/program/waiting_line.h"
 #include "oracle/stationary_points.h"
 
@@ -220,6 +222,30 @@ int run_orbit(const std::string& input, const std::string& from, bool json) {
   return 0;
 }
 
+std::string contact_text(const oracle::Contact& contact) {
+  std::string text;
+  for (const std::size_t name : contact) text += (text.empty() ? "" : ",") + std::to_string(name);
+  return text;
+}
+
+int run_witness(const std::string& input, const std::string& cycles) {
+  std::ifstream in(cycles);
+  if (!in) throw oracle::UnusableInput(cycles + ": cannot be opened");
+  const std::vector<oracle::Witness> witnesses = oracle::read_witnesses(in, cycles);
+  if (witnesses.empty()) throw oracle::UnusableInput(cycles + ": there are no cycles");
+  const auto points = point_set(oracle::read_point_file(input));
+  oracle::WaitingLine line("judging witnesses");
+  bool are_right = true;
+  for (std::size_t k = 0; k < witnesses.size(); ++k) {
+    line.tell(k, witnesses.size());
+    const std::string fault = oracle::fault(*points, witnesses[k]);
+    line.say("pair " + contact_text(witnesses[k].birth) + "/" + contact_text(witnesses[k].death) + ": " +
+             (fault.empty() ? "accepted" : "refused: " + fault));
+    are_right = are_right && fault.empty();
+  }
+  return are_right ? 0 : kWrong;
+}
+
 // Help with its examples first. It is made here, because versions of CLI11 lay it out differently.
 struct HelpFormatter : CLI::Formatter {
   static std::string row(const std::string& left, const std::string& right) {
@@ -264,7 +290,7 @@ int run(int argc, char** argv) {
   app.footer(
       "Examples:\n  flowcert-oracle stationary cube.xyz\n"
       "  flowcert-oracle certify bunny.xyz bunny.jsonl --sample 200 --seed 1");
-  std::string input, records, from;
+  std::string input, records, from, cycles;
   bool json = false;
   std::size_t limit = 100;
   std::int64_t sample = 200;
@@ -299,6 +325,13 @@ int run(int argc, char** argv) {
       "Examples:\n  flowcert-oracle orbit bunny.xyz --from -1/2,0.25,0x1p-3\n"
       "  flowcert-oracle orbit cube.xyz --from 1/3,1/4,1/5 --json");
 
+  CLI::App& shown = *app.add_subcommand("witness", "Judge witnesses of tunnels of an input of any size");
+  shown.add_option("INPUT", input, "XYZ file, or OBJ (.obj)")->required();
+  shown.add_option("CYCLES", cycles, "What 'flowcert cycles --witness --json' printed for it")->required();
+  shown.footer(
+      "Examples:\n  flowcert-oracle witness cube.xyz cube.json\n"
+      "  flowcert-oracle witness bunny.xyz bunny.json");
+
   if (argc <= 1) {
     std::cout << app.help();
     return kUnusable;
@@ -310,6 +343,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw oracle::UnusableInput(std::string(error.what()) + " (see --help)");
   }
+  if (shown.parsed()) return run_witness(input, cycles);
   if (flow.parsed()) return run_orbit(input, from, json);
   return list.parsed() ? run_stationary(input, json, limit)
                        : run_certify(input, records, static_cast<std::size_t>(sample), seed);
