@@ -1,9 +1,12 @@
 #include "tests/conformance/fast_landscape.h"
 
 #include <map>
+#include <set>
 #include <sstream>
+#include <string>
 #include <utility>
 
+#include "certify/cycle_differences.h"
 #include "flowcert/pockets.h"
 #include "io/json_fields.h"
 #include "io/manifold_fields.h"
@@ -150,6 +153,17 @@ Json location(const FlowComplex& complex, const Json& position) {
   return field;
 }
 
+// The claim with the reasons for what is wrong, each once.
+Json judged_cycles(const FlowComplex& complex, const Json& lines) {
+  std::string text;
+  for (const Json& line : lines) text += line.get<std::string>() + '\n';
+  std::set<std::string> reasons;
+  for (const PairDifference& difference : cycle_differences(complex, claimed_cycles_of(text, "claim"), 1e-9)) {
+    reasons.insert(difference.reason);
+  }
+  return {{"claim", lines}, {"reasons", reasons}};
+}
+
 }  // namespace
 
 void add_fast_landscape(const FlowComplex& complex, const Json& expected, Json& answer) {
@@ -164,6 +178,10 @@ void add_fast_landscape(const FlowComplex& complex, const Json& expected, Json& 
   if (expected.contains("medial_axes")) answer["medial_axes"] = medial_axes(complex, expected["medial_axes"]);
   if (expected.contains("infinity")) answer["infinity"] = infinity(complex);
   if (expected.contains("statistics")) answer["statistics"] = statistics(complex);
+  if (expected.contains("cycles")) {
+    answer["cycles"] = Json::array();
+    for (const Json& one : expected["cycles"]) answer["cycles"].push_back(judged_cycles(complex, one["claim"]));
+  }
   if (!expected.contains("locations")) return;
   answer["locations"] = Json::array();
   for (const Json& one : expected["locations"]) answer["locations"].push_back(location(complex, one["position"]));

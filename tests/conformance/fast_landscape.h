@@ -1,7 +1,7 @@
-// What the fast implementation says of locations, merge trees, pockets, the medial axis, infinity and statistics, in
-// the form of the conformance vectors.
+// What the fast implementation says of locations, merge trees, pockets, the medial axis, infinity, statistics and
+// claims of cycles, in the form of the conformance vectors.
 //
-// Guarantees: what is asked of it, positions, persistences, probes and angles, is read from what a case expects, and
+// Guarantees: what is asked of it, positions, persistences, probes, angles and claims, is read from what a case expects, and
 // nothing else is.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace flowcert::conformance {
 
-// Adds the keys that `expected` has of these: merge_trees, pockets, medial_axes, infinity, statistics, locations.
+// Adds the keys that `expected` has of these: merge_trees, pockets, medial_axes, infinity, statistics, cycles, locations.
 void add_fast_landscape(const FlowComplex& complex, const Json& expected, Json& answer);
 
 }  // namespace flowcert::conformance

@@ -202,7 +202,7 @@ TEST(VectorFiles, NameWhatThereIs) {
   EXPECT_GE(group_named("stable-manifolds")["cases"].size(), 60U);
   EXPECT_GE(group_named("persistence")["cases"].size(), 60U);
   for (const char* group : {"lambda-lists", "connections", "volumes", "unstable-surfaces", "locations", "merge-trees",
-                            "pockets", "medial-axes", "infinity", "statistics"}) {
+                            "pockets", "medial-axes", "infinity", "statistics", "cycles"}) {
     EXPECT_GE(group_named(group)["cases"].size(), 40U) << group;
   }
   EXPECT_EQ(flags.size(), group_named("flags")["flags"].size()) << "a case has a flag that is not defined";

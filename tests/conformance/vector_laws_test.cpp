@@ -130,6 +130,12 @@ TEST(VectorLaws, TheSchemaNoticesDamagesOfLocationsAxesAndInfinity) {
                    {"infinity/unbounded_segments/0/vector/0", R"("op":"replace","value":"-0")"},
                    {"infinity/unbounded_segments/0/back_kind", R"("op":"replace","value":"far")"},
                    {"infinity/unbounded_sectors/0/corners", R"("op":"replace","value":[])"}}});
+  expect_noticed({"cycles",
+                  "cycles-0003",
+                  {{"cycles", R"("op":"replace","value":[])"},
+                   {"cycles/0/claim", R"("op":"replace","value":[])"},
+                   {"cycles/0/reasons", R"("op":"replace","value":["wrong"])"},
+                   {"cycles/0/reasons", R"("op":"remove")"}}});
   expect_noticed({"statistics",
                   "statistics-0012",
                   {{"statistics/n_s2", R"("op":"remove")"},

@@ -16,6 +16,7 @@
 #include "oracle/stable_set.h"
 #include "oracle/stationary_points.h"
 #include "oracle/unstable_surface.h"
+#include "tests/vectors/cycle_claims.h"
 #include "tests/vectors/landscape.h"
 #include "tests/vectors/shapes.h"
 
@@ -52,6 +53,7 @@ struct Findings {
   std::optional<MedialAnswer> medial = {};
   std::optional<StableSet> infinity = {};
   std::optional<StatisticsAnswer> statistics = {};
+  std::vector<CycleClaim> cycle_claims = {};
 };
 
 struct Flag {

@@ -308,6 +308,10 @@ void GroupWriter::given(std::size_t number, const std::string& comment, const ch
 
 void GroupWriter::start_from(const std::vector<Point>& starts) { group_.recipes.back().starts = starts; }
 
+void GroupWriter::claim_cycles(const std::vector<std::string>& lines, const std::vector<std::string>& reasons) {
+  group_.recipes.back().cycle_claims.push_back({lines, reasons});
+}
+
 void GroupWriter::threefold(std::size_t first, const std::string& comment, const Rows& points, std::size_t row,
                             std::size_t axis) {
   given(first, comment, "exact-of-three", points);
@@ -364,6 +368,7 @@ const std::vector<Group>& groups() {
     add_homology_groups(table);
     add_whole_complex_groups(table);
     add_landscape_groups(table);
+    add_cycle_groups(table);
     add_invalid_groups(table);
     require_different_ids(table);
     return table;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "oracle/exact_geometry.h"
+#include "tests/vectors/cycle_claims.h"
 #include "tests/vectors/shapes.h"
 
 namespace oracle::vectors {
@@ -30,6 +31,7 @@ struct Asked {
   bool medial = false;         // what is above several angles and persistences
   bool infinity = false;       // the skeleton of infinity
   bool statistics = false;     // n_U2, n_S2 and n_WCC
+  bool cycles = false;         // claims of cycles, right and wrong ones
   bool locations = false;      // of starts, not the orbits but the locations
   std::size_t own_starts = 0;  // so many starts of starts.h
 };
@@ -41,7 +43,8 @@ struct Recipe {
   std::vector<std::string> aims;  // flags that do not follow from input and answer (flags.h)
   Rows points;
   Asked asks;
-  std::vector<Point> starts;  // instead of starts of starts.h
+  std::vector<Point> starts;             // instead of starts of starts.h
+  std::vector<CycleClaim> cycle_claims;  // beside those that follow from the points
 };
 
 // A case that has to be refused.
@@ -74,6 +77,7 @@ void add_orbit_groups(std::vector<Group>& table);
 void add_homology_groups(std::vector<Group>& table);
 void add_whole_complex_groups(std::vector<Group>& table);
 void add_landscape_groups(std::vector<Group>& table);
+void add_cycle_groups(std::vector<Group>& table);
 void add_invalid_groups(std::vector<Group>& table);
 
 // For example "cospherical-clusters-0007".
@@ -94,6 +98,8 @@ class GroupWriter {
   void given(std::size_t number, const std::string& comment, const char* aims, const Rows& points);
   // Gives these starts to the case given last.
   void start_from(const std::vector<Point>& starts);
+  // Gives a claim of cycles to the case given last.
+  void claim_cycles(const std::vector<std::string>& lines, const std::vector<std::string>& reasons);
   // Adds three cases: the points exactly, with one coordinate one ulp up, and with it one ulp down.
   void threefold(std::size_t first, const std::string& comment, const Rows& points, std::size_t row, std::size_t axis);
   // Adds three cases: the points, their mirror image (x changes its sign), and that with its rows in reversed order.

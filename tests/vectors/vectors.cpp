@@ -80,6 +80,8 @@ Findings findings_of(const Recipe& recipe, const Answer& answer, const std::vect
   if (recipe.asks.medial) found.medial = medial_answer(found.set, all);
   if (recipe.asks.infinity) found.infinity = stable_set_of_infinity(found.set);
   if (recipe.asks.statistics) found.statistics = statistics_answer(found.set, all);
+  if (recipe.asks.cycles) found.cycle_claims = cycle_claims(found.set, all);
+  found.cycle_claims.insert(found.cycle_claims.end(), recipe.cycle_claims.begin(), recipe.cycle_claims.end());
   for (const Point& start : starts) {
     if (recipe.asks.locations) {
       found.locations.push_back(locate(found.set, start));
@@ -266,6 +268,11 @@ Json case_of(const Group& group, const Recipe& recipe, const Answer& answer, con
   if (found.medial) expected["medial_axes"] = medial_field(found.answer.stationary, *found.medial);
   if (found.infinity) expected["infinity"] = infinity_field(found.set, *found.infinity);
   if (found.statistics) expected["statistics"] = statistics_field(*found.statistics);
+  for (const CycleClaim& claim : found.cycle_claims) {
+    Json& one = expected["cycles"].emplace_back();
+    one["claim"] = claim.lines;
+    one["reasons"] = claim.reasons;
+  }
   for (std::size_t k = 0; k < found.orbits.size(); ++k) {
     expected["orbits"].push_back(orbit_field(found.set, found.starts[k], found.orbits[k]));
   }
