@@ -123,12 +123,11 @@ Json pairs_field(const ViewerContent& content) {
 
 // ---- Manifolds ----
 
-Json s2_field(const ViewerContent& content, const Progress& progress) {
+Json s2_field(const ViewerContent& content, Floats& vertices, const Progress& progress) {
   const StableManifolds& s2 = content.complex.stable();
   const SurfaceMesh mesh = surface_mesh(content.complex, content.selection.sets, progress);
   Numbers records, offsets = {0}, triangles;
   std::vector<std::uint8_t> have_interval;
-  Floats vertices;
   for (const Point& vertex : mesh.vertices) content.frame.append(vertices, vertex);
   std::size_t done = 0;
   for (const std::size_t set : content.selection.sets) {
@@ -284,8 +283,10 @@ Json data_of(const FlowComplex& complex, const ViewerOptions& options, const Vie
   data["atoms"] = options.atoms ? atoms_field(*options.atoms, complex.points()) : Json(nullptr);
   data["records"] = records_field(content);
   data["pairs"] = pairs_field(content);
-  data["s2"] = s2_field(content, progress);
+  Floats s2_vertices;
+  data["s2"] = s2_field(content, s2_vertices, progress);
   data["u2"] = u2_field(content, progress);
+  data["cycles"] = viewer_cycles_field(complex, frame, selection, s2_vertices);
   if (options.has_cells) data["cells"] = viewer_cells_field(complex, frame, selection);
   if (options.pockets) data["pockets"] = viewer_pockets_field(complex, frame, *options.pockets, options.most_pockets);
   data["claim"] = claim_field(selection, options.claim);

@@ -55,6 +55,32 @@ class ViewerFrame {
   double unit_ = 1;
 };
 
+// ---- Cycles ----
+// What stands for a pair of dimension 1 or 2 at the levels from its death down to its birth (io/cycles.h).
+struct ViewerCycle {
+  struct Chain {
+    std::vector<std::uint32_t> surface, edges;  // of a loop; of a void its walls alone
+    std::vector<std::uint32_t> maxima, cell;    // of a void
+
+    friend bool operator==(const Chain&, const Chain&) = default;
+  };
+  // From the percent of the way, in squared distances, on down. That of the first step is 100: right below the death.
+  struct Step {
+    std::uint8_t percent = 0;
+    Chain chain;
+  };
+
+  PersistencePair pair;
+  std::vector<Step> steps;
+};
+
+// Of those of these pairs that have a death, the hundred longest ones of dimension 1, and of dimension 2 likewise.
+// Makes merge trees.
+//
+// Guarantees: exact at each whole percent, and the same for any number of threads.
+[[nodiscard]] std::vector<ViewerCycle> viewer_cycles(const FlowComplex& complex,
+                                                     const std::vector<const PersistencePair*>& pairs);
+
 // ---- The selection ----
 // Which stationary points a page has, all of them or, of a large complex, those with the longest pairs; and of which of
 // them it draws the cells and the unstable sets.
@@ -68,6 +94,7 @@ struct ViewerSelection {
   std::vector<std::uint32_t> place;           // by record: where it is in `records`, or kNone
   std::vector<std::size_t> sets;              // kept critical points of index 2, by number in StableManifolds
   std::vector<const PersistencePair*> pairs;  // those whose ends are kept
+  std::vector<ViewerCycle> cycles;            // of these pairs; loops are whole from 25% up
   std::size_t all_records = 0;                // with those that are left out, without index 0
   std::vector<std::size_t> cells;             // records whose cells are drawn, ascending
   std::size_t all_cells = 0;                  // stable sets of dimension 3
@@ -88,6 +115,13 @@ void choose_cells(const FlowComplex& complex, std::size_t most_cells, std::size_
 // Guarantees: connections are exact, volumes are the nearest doubles, and faces are closed around each cell.
 [[nodiscard]] Json viewer_cells_field(const FlowComplex& complex, const ViewerFrame& frame,
                                       const ViewerSelection& selection);
+
+// The chains of the selection's cycles, from the death down to the level below which the page lacks points of them.
+// s2_vertices: those that the page has of its surfaces, in the frame.
+//
+// Guarantees: mod 2, the boundary of a loop's triangles is its edges, and a void's triangles are closed.
+[[nodiscard]] Json viewer_cycles_field(const FlowComplex& complex, const ViewerFrame& frame,
+                                       const ViewerSelection& selection, const std::vector<float>& s2_vertices);
 
 // The unstable sets U1 that a page draws. Made by as many threads as the complex.
 //

@@ -29,6 +29,21 @@ std::vector<const PersistencePair*> longest_pairs(const FlowComplex& complex, st
   return longest;
 }
 
+// Loops at lower levels have more points than a thin page should.
+constexpr std::uint8_t kLowestLoop = 25;
+
+void keep_loops(const std::vector<ViewerCycle>& cycles, std::vector<bool>& is_kept) {
+  for (const ViewerCycle& cycle : cycles) {
+    if (cycle.pair.dimension != 1) continue;
+    for (const ViewerCycle::Step& step : cycle.steps) {
+      if (step.percent < kLowestLoop) break;
+      for (const auto* points : {&step.chain.surface, &step.chain.edges}) {
+        for (const std::uint32_t point : *points) is_kept[point] = true;
+      }
+    }
+  }
+}
+
 // Marks what the kept points of index 2 lead to.
 void keep_limits(const FlowComplex& complex, std::vector<bool>& is_kept) {
   const UnstableManifolds& u2 = complex.unstable();
@@ -96,13 +111,16 @@ ViewerSelection viewer_selection(const FlowComplex& complex, std::size_t most) {
   if (std::ranges::all_of(stationary.critical_counts().begin() + 1, stationary.critical_counts().end(),
                           [most](std::size_t count) { return count <= most; })) {
     for (const PersistencePair& pair : complex.persistence().pairs()) selection.pairs.push_back(&pair);
+    selection.cycles = viewer_cycles(complex, selection.pairs);
   } else {
     selection.pairs = longest_pairs(complex, most);
+    selection.cycles = viewer_cycles(complex, selection.pairs);
     for (std::size_t i = samples; i < stationary.size(); ++i) is_kept[i] = !stationary.index(i).is_critical();
     for (const PersistencePair* pair : selection.pairs) {
       is_kept[pair->birth] = true;
       if (pair->death) is_kept[*pair->death] = true;
     }
+    keep_loops(selection.cycles, is_kept);
     keep_limits(complex, is_kept);
   }
   selection.place.assign(stationary.size(), ViewerSelection::kNone);

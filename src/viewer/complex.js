@@ -2,12 +2,13 @@
 // A *point* is a number: a sample's ordinal, or sample_count + place in the records. `none` stands for no point,
 // no pair, and infinity. Squared distances, radii and persistence, a difference of distances, are in the frame;
 // `length_text` and `squared_text` give them in input units. What the first frame needs is decoded by load_first, the
-// lines of U2 by load_lines, with volumes, connections, cells and U1 (cells.js) and pockets (pockets.js), if the page
-// has them.
+// lines of U2 by load_lines, with the cycles of pairs (cycles.js), with volumes, connections, cells and U1 (cells.js)
+// and pockets (pockets.js), if the page has them.
 
 import { load_atoms } from './atoms.js';
 import { decode, decode_all } from './blobs.js';
 import { load_cells } from './cells.js';
+import { load_cycles } from './cycles.js';
 import { exact_sphere } from './exact_sphere.js';
 import { fill_records, line_vertices } from './plain_points.js';
 import { load_pockets } from './pockets.js';
@@ -24,6 +25,7 @@ export class Complex {
     this.length_unit = in_input_units(data.unit, 1);
     this.squared_unit = in_input_units(data.unit, 2);
     this.atoms = null;
+    this.cycles = null;
     this.cells = null;
     this.pockets = null;
   }
@@ -63,8 +65,9 @@ export class Complex {
 
   async load_lines() {
     const { data } = this;
-    [this.u2, this.cells, this.pockets] = await Promise.all([
+    [this.u2, this.cycles, this.cells, this.pockets] = await Promise.all([
       decode_all(data.u2, ['record', 'starts', 'limits', 'next', 'steps']),
+      load_cycles(data.cycles, this),
       data.cells ? load_cells(data.cells) : null,
       data.pockets ? load_pockets(data.pockets) : null,
     ]);

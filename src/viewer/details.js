@@ -295,7 +295,19 @@ export class Details {
         { class: 'quiet', click: () => this.actions.brush((i) => i === pair) },
         'Show this pair alone',
       ),
+      this.cycle_facts(pair),
     );
+  }
+
+  cycle_facts(pair) {
+    const { cycles, pairs } = this.complex;
+    const dimension = pairs.dimension[pair];
+    if (!cycles || dimension === 0) return null;
+    const what = dimension === 1 ? 'loop' : 'void';
+    if (cycles.place_of.has(pair))
+      return element('button', { class: 'quiet', click: () => this.actions.pick_pair(pair) }, `Draw its ${what}`);
+    const text = `Its ${what} is not in this page, which has those of ${cycles.count(dimension)} of the longest pairs.`;
+    return element('p', { class: 'muted' }, text);
   }
 
   clause_facts(point) {

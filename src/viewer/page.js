@@ -5,6 +5,7 @@
 
 import { fills_space } from './atoms.js';
 import { copy_text } from './clipboard.js';
+import { CycleLevel } from './cycle_level.js';
 import { Details } from './details.js';
 import { element, fill, glyph } from './element.js';
 import { FactsTable } from './facts_table.js';
@@ -125,6 +126,8 @@ export class Page {
     this.histogram = new Histogram(by_id('histogram'), complex, state, actions);
     const parts = { choice: by_id('modes'), slider: by_id('threshold'), line: by_id('threshold-line') };
     this.threshold = new Threshold(parts, complex, state, actions, this.histogram);
+    const level = { root: by_id('cycle'), slider: by_id('level'), line: by_id('level-line') };
+    this.level = new CycleLevel(level, complex, state);
     by_id('threshold-card').hidden = complex.set_count === 0;
     const signs = [0, 1, 2].map((dimension) => element('span', {}, glyph(dimension), String(dimension)));
     fill(by_id('diagram-legend'), 'dimension', signs);
@@ -198,9 +201,9 @@ export class Page {
       (...values) =>
         this.scene ? action(this.scene, ...values) : undefined;
     return {
-      pick: (point) => state.change({ picked: point, as_pocket: false }),
-      pick_pocket: (peak) => state.change({ picked: peak, as_pocket: true }),
-      pick_pair: (pair) => this.actions.pick(pair === none ? none : this.end_of_pair(pair)),
+      pick: (point) => this.pick(point),
+      pick_pocket: (peak) => this.pick(peak, { as_pocket: true }),
+      pick_pair: (pair) => (pair === none ? this.pick(none) : this.pick(this.end_of_pair(pair), { as_pair: true })),
       brush: (belongs, by) => this.brush(belongs, by),
       threshold: (limit) => this.let_go_of_brush({ limit }),
       mode: (mode) => this.let_go_of_brush({ mode, limit: no_limit(mode) }),
@@ -219,6 +222,10 @@ export class Page {
       step: (way) => this.step(way),
       escape: () => this.let_go(),
     };
+  }
+
+  pick(point, as = {}) {
+    this.state.change({ picked: point, as_pocket: false, as_pair: false, ...as });
   }
 
   let_go() {
@@ -286,7 +293,7 @@ export class Page {
     this.palette.kinds.forEach((color, kind) => root.style.setProperty(`--kind${kind}`, color));
     for (const [symbol, color] of Object.entries(this.palette.elements))
       root.style.setProperty(`--element-${symbol}`, color);
-    for (const name of ['surface', 's1', 's3', 'u1', 'u2', 'pockets', 'outline', 'claimed', 'truth'])
+    for (const name of ['surface', 's1', 's3', 'u1', 'u2', 'pockets', 'cycle', 'outline', 'claimed', 'truth'])
       root.style.setProperty(`--${name}`, this.palette[name]);
     if (!redraw) return;
     by_id('tool-theme').setAttribute('aria-pressed', String(theme === 'dark'));
@@ -311,10 +318,9 @@ export class Page {
 
   changed(values) {
     const has = (...names) => names.some((name) => name in values);
-    if (has('layers')) {
-      this.layers.update(this.state);
-      this.scene?.mark_picked();
-    }
+    if (has('layers')) this.layers.update(this.state);
+    if (has('layers', 'level')) this.scene?.mark_picked();
+    if (has('level')) this.level.update();
     if (has('picked')) this.picked_changed();
     if (has('finding')) this.finding_changed();
     if (has('mode', 'limit')) this.threshold.update();
@@ -322,7 +328,7 @@ export class Page {
     if (has('full')) by_id('tool-full')?.setAttribute('aria-pressed', String(this.state.full));
     if (has('see_through')) by_id('tool-through')?.setAttribute('aria-pressed', String(this.state.see_through));
     if (has('layers', 'limit', 'mode', 'brush', 'full')) this.scene?.refresh(has('limit', 'brush'));
-    if (has('see_through', 'picked', 'finding', 'layers')) this.scene?.repaint_surface();
+    if (has('see_through', 'picked', 'finding', 'layers', 'level')) this.scene?.repaint_surface();
     if (has('picked', 'brush')) this.diagram.overlay();
     if (has('picked', 'limit', 'mode', 'brush')) this.draw_histogram();
   }
@@ -330,6 +336,7 @@ export class Page {
   picked_changed() {
     const { picked } = this.state;
     this.details.show(picked);
+    this.level.update();
     this.table.set_picked(picked);
     this.pockets?.set_picked(picked);
     const stays = this.tabs.current === 'table' || (this.tabs.current === 'pockets' && this.state.as_pocket);

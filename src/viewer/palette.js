@@ -1,6 +1,6 @@
 // The colours of the page: Okabe and Ito's, which people with any sort of colour blindness can tell apart.
 // Kinds of points also differ in shape, so that no statement is made by colour alone.
-// Each theme has colours of the surface, its highlight, pockets, and the lines. Cells and U1 have those of their
+// Each theme has colours of the surface, its highlight, pockets, cycles and lines. Cells and U1 have those of their
 // points. Elements have the colours that chemists know; what is far away fades into `haze`.
 
 export const kind_names = ['samples', 'index 1', 'index 2', 'index 3', 'regular stationary'];
@@ -15,6 +15,7 @@ const light = {
   u1: '#0072b2',
   u2: '#00805d',
   pockets: '#c2127e',
+  cycle: '#6a3fc4',
   mouths: '#ffeaf5',
   outline: '#1c2430',
   elements: {
@@ -41,6 +42,7 @@ const dark = {
   u1: '#56b4e9',
   u2: '#2cc79b',
   pockets: '#ff4fb0',
+  cycle: '#a98bff',
   mouths: '#ffe0f1',
   outline: '#fffdf8',
   elements: {

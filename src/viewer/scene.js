@@ -7,7 +7,9 @@ import { BufferAttribute, BufferGeometry, Group, PerspectiveCamera, Points, Scen
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { BallsAndSticks } from './balls_and_sticks.js';
 import { ClippedLines } from './clipped_lines.js';
+import { picked_cycle } from './cycles.js';
 import { discard } from './discard.js';
+import { joined } from './joined_arrays.js';
 import { LineLayer } from './line_layer.js';
 import { pick, pixel_of } from './picking.js';
 import { PocketMark } from './pocket_mark.js';
@@ -15,13 +17,14 @@ import { pockets_at } from './pockets.js';
 import { PointCloud, paint_points, point_material } from './point_cloud.js';
 import { none } from './point_numbers.js';
 import { make_renderer } from './renderer.js';
+import { SeenThrough } from './seen_through.js';
 import { counts_by_kind, fitting_sets, most, shown } from './shown.js';
 import { spanned_polygons } from './spanned_polygons.js';
 import { sphere_mark } from './sphere_mark.js';
-import { SurfaceMesh, mesh_of_positions } from './surface_mesh.js';
+import { SurfaceMesh, mesh_of_positions, mesh_of_triangles } from './surface_mesh.js';
 
 const rest_after = 160; // milliseconds
-const nothing_marked = { cell: 0, surface: 0, lines: 0, pocket: 0, mouths: 0, outlines: 0 };
+const nothing_marked = { cell: 0, surface: 0, lines: 0, pocket: 0, mouths: 0, outlines: 0, cycle: 0, loop: 0 };
 
 export class ComplexScene {
   constructor(canvas, complex, state, palette) {
@@ -256,10 +259,11 @@ export class ComplexScene {
     this.cloud.object.visible = count > 0 && fits(count);
   }
 
-  // What can be seen through steps back behind what is picked or found. A cell or a surface U1 is inside of all else.
+  // What can be seen through steps back behind what is picked or found. A cell, a surface U1, a pocket or a
+  // cycle is inside of all else.
   set_opacity() {
     const { see_through, picked, finding } = this.state;
-    const is_behind = this.marked.cell > 0 || this.marked.surface > 0 || this.marked.pocket > 0;
+    const is_behind = ['cell', 'surface', 'pocket', 'cycle'].some((part) => this.marked[part] > 0);
     const opacity = is_behind ? 0.16 : !see_through ? 1 : picked !== none || finding >= 0 ? 0.16 : 0.38;
     this.exact.set_opacity(opacity);
     if (this.flat) this.flat.set_opacity(opacity);
@@ -289,7 +293,8 @@ export class ComplexScene {
   }
 
   // What is picked: a pocket alone, where it is picked as such. Otherwise the point: its sphere, its contact set with
-  // radii, its pocket with mouths, its S2, its cell S3 or its U1, its lines, and a ring around the points.
+  // radii, its pocket with mouths, the cycle of its pair if that is picked, its S2, its cell S3 or its U1, its lines,
+  // and a ring around the points.
   mark_picked() {
     discard(this.marks, this.exact.geometry.attributes.position);
     this.lines.path.show(new Float32Array(0));
@@ -304,6 +309,7 @@ export class ComplexScene {
       this.marks.add(sphere_mark(center, complex.frame_radius(point), palette.accent));
       this.mark_contacts(point, center);
     }
+    this.mark_cycle();
     this.mark_cell(point);
     this.mark_set(point);
     this.mark_surface(point);
@@ -327,12 +333,7 @@ export class ComplexScene {
     const set = this.complex.set_of_point[point];
     if (set !== none) {
       const triangles = this.complex.triangles_of_set(set);
-      const mesh = new SurfaceMesh(
-        this.exact.geometry.attributes.position,
-        Uint32Array.of(0, triangles.length / 3),
-        triangles,
-      );
-      mesh.show([0]);
+      const mesh = mesh_of_triangles(this.exact.geometry.attributes.position, triangles);
       mesh.paint(this.palette.highlight);
       if (this.marked.cell > 0) mesh.set_opacity(0.6);
       Object.assign(mesh.material, { polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -4 });
@@ -374,6 +375,26 @@ export class ComplexScene {
     const mark = new PocketMark(this.complex, pockets, this.palette);
     Object.assign(this.marked, { pocket: mark.triangles, mouths: mark.mouths, outlines: mark.outlines });
     this.marks.add(mark.object);
+  }
+
+  // A loop with its surface, or what is around a void.
+  mark_cycle() {
+    const cycle = picked_cycle(this.complex, this.state);
+    if (!cycle) return;
+    const mark = new SeenThrough(this.palette);
+    const triangles = this.complex.cycles.triangles_of(cycle);
+    mark.add_walls(mesh_of_triangles(this.cycle_positions(), triangles), 'cycle');
+    mark.add_outlines(this.edge_segments(cycle.edges), 5);
+    Object.assign(this.marked, { cycle: mark.triangles, loop: mark.outlines });
+    this.marks.add(mark.object);
+  }
+
+  cycle_positions() {
+    const { position } = this.exact.geometry.attributes;
+    const { vertices } = this.complex.cycles;
+    if (vertices.length === 0) return position;
+    this.joined_positions ??= new BufferAttribute(joined([position.array, vertices]), 3);
+    return this.joined_positions;
   }
 
   mark_triangles(positions, color) {

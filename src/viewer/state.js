@@ -11,6 +11,8 @@ export class State {
     this.brush = null; // Uint8Array by pair, or null where nothing is brushed
     this.picked = none;
     this.as_pocket = false; // the point stands for its pocket, which is what is drawn
+    this.as_pair = false; // the point stands for its pair, whose loop or void is drawn
+    this.level = 25; // at which that is, in percent of the way from birth to death
     this.full = false;
     this.see_through = false;
     this.finding = -1;

@@ -29,9 +29,13 @@ void main() {
 
 // A mesh of triangles that are given by their positions, nine numbers each.
 export function mesh_of_positions(positions) {
-  const count = positions.length / 9;
-  const all = Uint32Array.from({ length: 3 * count }, (_, i) => i);
-  const mesh = new SurfaceMesh(new BufferAttribute(positions, 3), Uint32Array.of(0, count), all);
+  const all = Uint32Array.from({ length: positions.length / 3 }, (_, i) => i);
+  return mesh_of_triangles(new BufferAttribute(positions, 3), all);
+}
+
+// A mesh of all these triangles of an attribute's positions.
+export function mesh_of_triangles(positions, triangles) {
+  const mesh = new SurfaceMesh(positions, Uint32Array.of(0, triangles.length / 3), triangles);
   mesh.show([0]);
   return mesh;
 }

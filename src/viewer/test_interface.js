@@ -38,7 +38,7 @@ export function test_interface(page) {
       return { points: Array.from(points, name), sets: Array.from(sets, record_of), edges: Array.from(edges, name) };
     },
     // Triangles of the picked point's cell, pocket, mouths and surface U1, lines of the latter, and those around
-    // mouths.
+    // mouths; triangles of the picked pair's cycle, and edges of its loop.
     marked: () => ({ ...page.scene.marked }),
     at_rest: () => page.scene === null || page.scene.is_at_rest(),
     frames: () => page.scene.frames,
@@ -61,6 +61,8 @@ export function test_interface(page) {
     set_layer: (layer, on) => state.set_layer(layer, on),
     full_detail: (full) => state.change({ full }),
     pick: (what) => actions.pick(what === null ? none : point(what)),
+    pick_pair: (pair) => actions.pick_pair(pair),
+    level: (percent) => state.change({ level: percent }),
     picked: () => name(state.picked),
     // How far a point is from the camera.
     away: (what) => page.scene.camera.position.distanceTo(new Vector3(...complex.frame_position(point(what)))),

@@ -105,6 +105,14 @@ def slices(offsets, flat):
     return [flat[a:b] for a, b in zip(offsets, offsets[1:])]
 
 
+def mod_2(offsets, flat, steps):
+    """What an odd number of these lists has."""
+    found = set()
+    for step in steps:
+        found ^= set(flat[offsets[step]: offsets[step + 1]])
+    return found
+
+
 class Page:
     """What a page says, in the words of the other commands."""
 
@@ -235,6 +243,76 @@ class ViewTest(unittest.TestCase):
                 self.assertTrue(all(v < counts["vertices"] for v in corners))
 
         self.on_each_input(check)
+
+    # {percent: (triangles of positions, edges by their places)} of the k-th pair that has cycles.
+    def chains(self, page, k, percents):
+        s2, cycles = page.data["s2"], page.data["cycles"]
+        vertices = triples(s2["vertices"]) + triples(cycles["vertices"])
+        pieces = [piece for part in (s2, cycles)
+                  for piece in slices(part["triangle_offsets"], triples(part["triangles"]))]
+        steps = range(cycles["step_offsets"][k], cycles["step_offsets"][k + 1])
+        self.assertEqual(cycles["percent"][steps[0]], 100)
+        found = {}
+        for percent in percents:
+            down = [step for step in steps if cycles["percent"][step] >= percent]
+            chain = mod_2(cycles["piece_offsets"], cycles["pieces"], down)
+            triangles = [[vertices[corner] for corner in triangle] for piece in chain for triangle in pieces[piece]]
+            found[percent] = triangles, mod_2(cycles["edge_offsets"], cycles["edges"], down)
+        return found
+
+    # The mod 2 boundary of triangles: from a sample to a midpoint, and on to another sample.
+    def check_boundary(self, page, triangles, edges):
+        odd = set()
+        for triangle in triangles:
+            for ends in ((0, 1), (1, 2), (2, 0)):
+                odd ^= {frozenset(triangle[end] for end in ends)}
+        halves = []
+        for edge in edges:
+            a, b = ([*page.framed(page.samples[s])] for s in page.data["records"]["edges"][2 * edge: 2 * edge + 2])
+            halves += [(end, [(x + y) / 2 for x, y in zip(a, b)]) for end in (a, b)]
+        near = lambda a, b: math.dist(a, b) < 1e-6
+        left = [tuple(side) for side in odd if len(side) == 2]
+        self.assertEqual(len(left), len(halves))
+        for a, b in halves:
+            self.assertTrue(any((near(a, c) and near(b, d)) or (near(a, d) and near(b, c)) for c, d in left))
+
+    def test_cycles(self):
+        seen = collections.Counter()
+        levels = (0, 25, 60)
+
+        def check(text, page, _2, _3):
+            pairs, cycles = page.data["pairs"], page.data["cycles"]
+            self.assertEqual(set(cycles["least"]), {0} if cycles["pair"] else set())
+            seen["own pieces"] += len(cycles["triangle_offsets"]) > 1
+            for dimension in (1, 2):
+                shown = [k for k, pair in enumerate(cycles["pair"]) if pairs["dimension"][pair] == dimension]
+                chains = [self.chains(page, k, levels) for k in shown]
+                for level in levels:
+                    listed = json.loads(run("cycles", "-", "--json", "--dimension", dimension, "--longest", "100",
+                                            "--level", f"{level}%", text=text))["cycles"]
+                    self.assertEqual([[page.names[pairs[end][cycles["pair"][k]]] for end in ("birth", "death")]
+                                      for k in shown], [[c["birth"]["contact"], c["death"]["contact"]] for c in listed])
+                    for chain, told in zip(chains, listed):
+                        triangles, edges = chain[level]
+                        self.assertTrue(triangles)
+                        self.assertEqual(sorted(page.names[edge] for edge in edges), sorted(told.get("edges", [])))
+                        self.check_boundary(page, triangles, edges)
+                        seen[dimension] += 1
+
+        self.on_each_input(check)
+        self.assertGreater(seen[1], 100)
+        self.assertGreater(seen[2], 50)
+        self.assertGreater(seen["own pieces"], 0)
+
+    def test_cycles_at_the_death_are_its_own_surface_or_cell(self):
+        page = self.made["scattered"][1]
+        pairs, s2 = page.data["pairs"], page.data["s2"]
+        for k, pair in enumerate(page.data["cycles"]["pair"]):
+            triangles, _ = self.chains(page, k, [100])[100]
+            if pairs["dimension"][pair] == 1:
+                place = s2["record"].index(pairs["death"][pair])
+                offsets = s2["triangle_offsets"][place: place + 2]
+                self.assertEqual(len(triangles), offsets[1] - offsets[0])
 
     def test_lines(self):
         def check(_0, page, _2, records):
@@ -467,6 +545,19 @@ class ViewTest(unittest.TestCase):
         self.assertEqual(len(pairs["dimension"]), 20)
         self.assertEqual(len(thin.data["s2"]["record"]), sum(i == 2 for i in thin.indices))
         self.assertTrue(all(limit == NONE or limit < len(thin.names) for limit in thin.data["u2"]["limits"]))
+
+    def test_cycles_of_a_thinned_complex_are_whole(self):
+        text = INPUTS["scattered"]
+        thin = Page(view(text, "--most", "40"))
+        pairs, cycles = thin.data["pairs"], thin.data["cycles"]
+        dimensions = [pairs["dimension"][pair] for pair in cycles["pair"]]
+        self.assertEqual(dimensions.count(1), pairs["dimension"].count(1))
+        self.assertLess(dimensions.count(2), pairs["dimension"].count(2))
+        self.assertLessEqual(max(cycles["least"]), 25)
+        self.assertGreater(max(cycles["least"]), 0)
+        for k, least in enumerate(cycles["least"]):
+            for triangles, edges in self.chains(thin, k, (least, 25, 60)).values():
+                self.check_boundary(thin, triangles, edges)
 
     def test_what_is_wrong_with_a_claim(self):
         claim = "index,x,y,z\n0,0,0,0\n2,0.5,0.5,0\n2,1,1,0\n"
