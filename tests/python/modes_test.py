@@ -105,6 +105,8 @@ def calls_of_complex(rows, made):
         "orbit": lambda fc: (fc.orbit(third), fc.orbit(third).vertices),
         "locate": lambda fc: fc.locate([rows[3], rows[4]]),
         "cycles": lambda fc: [fc.cycles(dimension, level="30%", persistence=persistence) for dimension in (0, 1, 2)],
+        "represents": lambda fc: [fc.represents([loop], loop.pair) for loop in fc.cycles(persistence=0)],
+        "homologous": lambda fc: [fc.homologous([0, 1, 2], [0, 1, 3], level) for level in (persistence, 9)],
         "pockets": lambda fc: fc.pockets(persistence=persistence, probe=probe),
         "volumes": lambda fc: fc.volumes,
         "volume": lambda fc: fc.volume(last),
@@ -146,12 +148,14 @@ def test_of_the_module(tmp_path):
     file.write_text("0.1 0.7 0.3\n1e-320 0.2 4.9e-324\n1.1 123456.7 0.30000000000000004\n")
     claim = [{"index": 0, "position": point} for point in TINY]
     fractions = [[Fraction(x) for x in row] for row in TINY]
+    loops = flowcert.FlowComplex(DECIMALS).cycles(longest=1)
     calls = {
         "read_points": lambda: flowcert.read_points(file),
         "generate": lambda: [flowcert.generate(family, case=3) for family in sorted(flowcert.families())],
         "families": lambda: flowcert.families(),
         "check": lambda: flowcert.check(TINY, claim, tolerance=1e-9, levels=2, indices=[0]),
         "FlowComplex": lambda: flowcert.FlowComplex(fractions).points,
+        "represents": lambda: flowcert.represents(loops, loops[0].pair),
     }
     types = {name for name in public_names(flowcert) if isinstance(getattr(flowcert, name), type)}
     assert set(calls) == (public_names(flowcert) & set(flowcert.__all__)) - types | {"FlowComplex"}
