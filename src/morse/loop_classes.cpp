@@ -77,7 +77,8 @@ std::vector<std::uint32_t> LoopClasses::as_index_1_points(std::span<const Sample
   };
   std::ranges::for_each(odd_edges(points, edges), place);
   while (!left.empty()) {
-    const auto [p, q] = left.extract(std::prev(left.end())).value().second;
+    const SampleEdge longest = left.extract(std::prev(left.end())).value().second;
+    const PointId p = longest[0], q = longest[1];
     const RationalPoint middle = geometry::exact_midpoint(points.at_row(p), points.at_row(q));
     // Some sample other than the ends is nearest, because the midpoint is not critical of index 1.
     const std::vector<PointId> nearest = geometry::nearest_samples(points, middle).names;
