@@ -253,7 +253,7 @@ TEST(OracleWitness, IsToldFromChangedOnesOfSmallSets) {
   CITES("FC-CYC-08", "FC-CHAIN-01", "FC-CHAIN-02");
   Seen seen;
   for (const Rows& rows : {kSquare, kTwoTriangles, kTieBelow, face_centred_cubes()}) {
-    for (const std::uint64_t seed : {0, 1}) {
+    for (const std::uint64_t seed : {0U, 1U}) {
       Witnesses witnesses(rows, seed, seen);
       witnesses.expect_boundaries();
       witnesses.expect_verdicts(3);
