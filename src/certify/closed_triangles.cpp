@@ -20,7 +20,7 @@ std::optional<bool> is_met(const std::array<Point, 3>& triangle, const RationalP
                            const RationalPoint& direction) {
   std::array<RationalPoint, 3> from;
   for (std::size_t k = 0; k < 3; ++k) from.at(k) = exact_position(triangle.at(k)) - x;
-  std::array<int, 3> signs;
+  std::array<int, 3> signs{};
   for (std::size_t k = 0; k < 3; ++k) {
     signs.at(k) = dot(direction, cross(from.at(k), from.at((k + 1) % 3))).sign();
   }
@@ -36,7 +36,7 @@ std::optional<bool> is_met(const std::array<Point, 3>& triangle, const RationalP
 ClosedTriangles::ClosedTriangles(std::vector<std::array<Point, 3>> triangles) : triangles_(std::move(triangles)) {
   for (const std::array<Point, 3>& triangle : triangles_) {
     const auto a = triangle[0].coordinates(), b = triangle[1].coordinates(), c = triangle[2].coordinates();
-    Box box;
+    Box box{};
     for (std::size_t k = 0; k < 3; ++k)
       std::tie(box.low.at(k), box.high.at(k)) = std::minmax({a.at(k), b.at(k), c.at(k)});
     boxes_.push_back(box);

@@ -48,7 +48,7 @@ template <std::size_t kSize>
 std::array<PointId, kSize> simplex_of(const Json& value, const char* key) {
   const std::vector<PointId> rows = rows_of(value, key);
   if (rows.size() != kSize) throw InvalidInput(fmt::format("'{}' has something without {} rows", key, kSize));
-  std::array<PointId, kSize> simplex;
+  std::array<PointId, kSize> simplex{};
   std::ranges::copy(rows, simplex.begin());
   return simplex;
 }
@@ -201,7 +201,7 @@ class CycleLines {
   template <std::size_t kSize>
   [[nodiscard]] std::array<PointId, kSize> simplex(Words words) const {
     if (words.size() != kSize) lines_.place().reject(fmt::format("not {} rows", kSize));
-    std::array<PointId, kSize> simplex;
+    std::array<PointId, kSize> simplex{};
     std::ranges::copy(rows(words), simplex.begin());
     return simplex;
   }
