@@ -150,6 +150,25 @@ TEST(CycleDifferences, OfEqualPeaksEitherIsRight) {
   }
 }
 
+TEST(CycleDifferences, VoidsOfOneDeathHaveTheirOwnBirths) {
+  CITES("FC-CLAIM-25", "FC-CYC-06");
+  Rows boxes;  // their voids die at 27, and are born at 18 and 26
+  for (const double x : {-3, 3}) {
+    for (const double y : {-3, 3}) {
+      for (const double z : {-3, 3}) boxes.push_back({x, y, z});
+    }
+  }
+  for (const double x : {999, 1001}) {
+    for (const double y : {-1, 1}) {
+      for (const double z : {-5, 5}) boxes.push_back({x, y, z});
+    }
+  }
+  const std::string cube = "maximum 0 1 2 3 4 5 6 7\n", other = "maximum 8 9 10 11 12 13 14 15\n";
+  EXPECT_EQ(judged(boxes, "cycles 2\npair 18/1 27/1\n" + cube + "pair 26/1 27/1\n" + other), "right");
+  EXPECT_EQ(judged(boxes, "cycles 2\npair 26/1 27/1\n" + cube), "wrong-void");
+  EXPECT_EQ(judged(boxes, "cycles 2\npair 18/1 27/1\nlevel 26/1\n" + other), "wrong-void");
+}
+
 TEST(CycleDifferences, Components) {
   CITES("FC-CLAIM-25", "FC-CYC-07");
   const std::string pair = "cycles 0\npair 0/1 4/1\n";
