@@ -8,10 +8,12 @@
 #include <set>
 #include <span>
 
+#include "certify/boundaries.h"
 #include "certify/claimed_geometry.h"
 #include "certify/closed_triangles.h"
 #include "certify/finding_words.h"
 #include "certify/layer.h"
+#include "certify/truth.h"
 #include "flowcert/voids.h"
 #include "geometry/enclosing_ball.h"
 #include "geometry/rational_point.h"
@@ -133,29 +135,26 @@ class LoopJudge final : public ChainJudge {
     const std::size_t first = stationary.critical_counts()[0] + stationary.critical_counts()[1];
     std::set<std::uint32_t> difference;
     for (const std::uint32_t edge : classes_.as_index_1_points(edges)) toggle(difference, edge);
-    std::optional<std::uint32_t> open;  // the rank of the latest one with a tie below
     for (const std::uint32_t saddle : *records) {
       if (values_.rank(saddle) > values_.rank(*pair.death)) return "a point of the surface is later than the death";
       for (const std::uint32_t edge : complex_.links().lower(saddle - first)) toggle(difference, edge);
-      if (has_tie(saddle - first)) open = std::max(open.value_or(0), values_.rank(saddle));
     }
     if (difference.empty()) return "";
+    if (!truth_) truth_ = fast_truth(complex_);
+    std::optional<std::uint32_t> open;  // the rank of the latest one with a tie below
+    for (const std::uint32_t saddle : *records) {
+      if (has_tie(*truth_, saddle)) open = std::max(open.value_or(0), values_.rank(saddle));
+    }
     const auto deaths = classes_.deaths_of(std::vector(difference.begin(), difference.end())).value();
     const bool is_by_ties =
         open && std::ranges::all_of(deaths, [&](std::uint32_t death) { return values_.rank(death) < *open; });
     return is_by_ties ? "" : "the boundaries of its points have another sum";
   }
 
-  [[nodiscard]] bool has_tie(std::size_t i) const {
-    const StableManifolds& stable = complex_.stable();
-    return stable.has_vertex(i) || std::ranges::any_of(stable.set(i).segments, [](const BackwardSegment<>& segment) {
-             return segment.back_kind == BackKind::kRegular;
-           });
-  }
-
   const FlowComplex& complex_;
   const SquaredDistances& values_;
   LoopClasses classes_;
+  std::unique_ptr<Truth> truth_;  // made where a surface is wrong, or has ties
 };
 
 // ---- Voids ----
@@ -189,9 +188,11 @@ class VoidJudge final : public ChainJudge {
     }
     if (!maxima || maxima->empty()) return wrong("it has no maximum");
     if (std::string fault = fault_of(*maxima, pair, level); !fault.empty()) return wrong(std::move(fault));
-    const Void space = voids_.at(maxima->front(), level);
-    if (cycle.cell && !is_same(*cycle.cell, space.cell)) return wrong("its cell has other points");
-    if (cycle.walls && !is_same(*cycle.walls, space.walls)) return wrong("it has other walls");
+    if (cycle.cell || cycle.walls) {
+      const Void space = voids_.at(maxima->front(), level);
+      if (cycle.cell && !is_same(*cycle.cell, space.cell)) return wrong("its cell has other points");
+      if (cycle.walls && !is_same(*cycle.walls, space.walls)) return wrong("it has other walls");
+    }
     std::erase_if(*maxima, [&](std::uint32_t m) { return values_.rank(m) != values_.rank(*pair.death); });
     return {"", "", std::move(*maxima), {}};
   }

@@ -28,15 +28,15 @@ struct ClaimedCycle {
   std::size_t line = 0;  // of lines; 0 in JSON
   ClaimedPairEnd birth, death;
   std::optional<ClaimedNumber> squared_level;  // none: that of the birth
-  // Of dimension 1. JSON may have the loop twice, and `polygons` is then the second one.
+  // The loop, in dimension 1. JSON may have it twice, and `polygons` is then the second one.
   std::vector<SampleEdge> edges;
   std::optional<std::vector<SampleEdge>> polygons;
   std::optional<std::vector<std::vector<PointId>>> saddles;  // of a surface
-  // Of dimension 1 a surface, and of dimension 2 around a void.
+  // They are a surface in dimension 1, and go around a void in dimension 2.
   std::optional<std::vector<SampleTriangle>> triangles;
-  // Of dimension 2: contact sets.
+  // Contact sets of points of the void, in dimension 2.
   std::optional<std::vector<std::vector<PointId>>> maxima, walls, cell;
-  // Of dimension 0.
+  // Their samples, in dimension 0.
   std::vector<std::vector<PointId>> components;
 };
 

@@ -204,7 +204,7 @@ class CycleJudge {
     }
   }
 
-  // Those of one death are independent, and at their birth those of one birth and death.
+  // Cycles of one death have to be independent, and those at birth also for each birth and death.
   void find_dependent() {
     std::map<std::uint32_t, std::vector<std::size_t>> by_death;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> by_values;

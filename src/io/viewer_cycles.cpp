@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <iterator>
 #include <map>
+#include <set>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -189,12 +190,12 @@ class Pieces {
   void add_tied(const std::vector<ViewerCycle>& cycles) {
     const std::size_t first_saddle = first_saddle_of(complex_);
     const bool has_regular = complex_.stable().size() > complex_.stationary().critical_counts()[2];
-    std::map<std::uint32_t, bool> is_seen;
+    std::set<std::uint32_t> seen;
     for (const ViewerCycle& cycle : cycles) {
       for (const ViewerCycle::Step& step : cycle.steps) {
         for (const std::uint32_t saddle : step.chain.cell.empty() ? step.chain.surface : Numbers{}) {
           if (!has_regular && !complex_.stable().has_vertex(saddle - first_saddle)) continue;
-          if (!is_seen.try_emplace(saddle, true).second) continue;
+          if (!seen.insert(saddle).second) continue;
           const SurfaceMesh part = loop_surface_mesh(complex_, std::array{saddle});
           const SurfaceMesh whole = surface_mesh(complex_, std::array{saddle - first_saddle});
           if (part.triangles == whole.triangles && part.vertices == whole.vertices) continue;

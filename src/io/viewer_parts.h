@@ -74,7 +74,7 @@ struct ViewerCycle {
   std::vector<Step> steps;
 };
 
-// Of those of these pairs that have a death, the hundred longest ones of dimension 1, and of dimension 2 likewise.
+// The hundred longest pairs of dimension 1, and of dimension 2, among those of these that have a death.
 // Makes merge trees.
 //
 // Guarantees: exact at each whole percent, and the same for any number of threads.

@@ -122,11 +122,11 @@ std::optional<std::vector<std::uint32_t>> LoopClasses::deaths_of(std::span<const
   return deaths;
 }
 
-std::optional<SampleEdge> LoopClasses::longer_edge(std::span<const SampleEdge> loop, const SquaredLevel& level) const {
+std::optional<SampleEdge> LoopClasses::longer_edge(const std::set<SampleEdge>& edges, const SquaredLevel& level) const {
   const PointSet& points = complex_.points();
   const RecordFinder finder(complex_.stationary());
   std::optional<Rational> exact;
-  for (const SampleEdge& edge : odd_edges(points, loop)) {
+  for (const SampleEdge& edge : edges) {
     if (const auto record = finder.find(kIndex1, edge)) {
       if (persistence_.squared_distances().compare(*record, level) > 0) return edge;
       continue;
@@ -147,8 +147,9 @@ LoopClass LoopClasses::of(std::span<const SampleEdge> loop, const PersistencePai
     found.fault = fault;
     return found;
   };
-  if (!is_cycle(odd_edges(complex_.points(), loop))) return with(LoopFault::kNotACycle);
-  found.edge = longer_edge(loop, level);
+  const std::set<SampleEdge> edges = odd_edges(complex_.points(), loop);
+  if (!is_cycle(edges)) return with(LoopFault::kNotACycle);
+  found.edge = longer_edge(edges, level);
   if (found.edge) return with(LoopFault::kEdgeTooLong);
   const auto rank = [&](std::uint32_t point) { return values.rank(point); };
   const std::vector<std::uint32_t> deaths = deaths_of(as_index_1_points(loop)).value();
@@ -189,7 +190,8 @@ bool LoopClasses::are_homologous(std::span<const SampleEdge> a, std::span<const 
   std::vector<SampleEdge> sum(a.begin(), a.end());
   sum.insert(sum.end(), b.begin(), b.end());
   for (const auto loop : {a, b}) {
-    if (!is_cycle(odd_edges(complex_.points(), loop)) || longer_edge(loop, level)) return false;
+    const std::set<SampleEdge> edges = odd_edges(complex_.points(), loop);
+    if (!is_cycle(edges) || longer_edge(edges, level)) return false;
   }
   const std::vector<std::uint32_t> deaths = deaths_of(as_index_1_points(sum)).value();
   return std::ranges::all_of(

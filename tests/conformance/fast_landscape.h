@@ -1,8 +1,8 @@
 // What the fast implementation says of locations, merge trees, pockets, the medial axis, infinity, statistics and
 // claims of cycles, in the form of the conformance vectors.
 //
-// Guarantees: what is asked of it, positions, persistences, probes, angles and claims, is read from what a case expects, and
-// nothing else is.
+// Guarantees: what is asked of it, positions, persistences, probes, angles and claims, is read from what a case expects,
+// and nothing else is.
 #pragma once
 
 #include "flowcert/flow_complex.h"

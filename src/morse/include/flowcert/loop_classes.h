@@ -73,7 +73,7 @@ class LoopClasses {
 
  private:
   [[nodiscard]] const std::vector<std::uint32_t>& reduced_boundary(std::uint32_t death);
-  [[nodiscard]] std::optional<SampleEdge> longer_edge(std::span<const SampleEdge> loop,
+  [[nodiscard]] std::optional<SampleEdge> longer_edge(const std::set<SampleEdge>& edges,
                                                       const SquaredLevel& level) const;
 
   const FlowComplex& complex_;
