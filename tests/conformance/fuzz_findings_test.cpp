@@ -84,6 +84,21 @@ TEST(FuzzFindings, TheFirstIsShrunkToTheEnd) {
   EXPECT_TRUE(contains(content_of(file), "\n# shrunk: fully\n"));
 }
 
+TEST(FuzzFindings, TheFirstIsShrunkIfItComesAfterTheEnd) {
+  const Scratch scratch;
+  // The first answers take longer than the campaign has.
+  const std::string calls = scratch.path("calls");
+  const std::string slow = "echo >> " + calls + "; test $(wc -l < " + calls + ") -gt 3 || sleep 0.3; ";
+  const Finished finished =
+      flowcert({"fuzz", "--json", "--first", "--families", "box-corners", "--points", "4-4", "--jobs", "1", "--out",
+                scratch.path("late"), "--against", slow + kPeer, "--time", "0.1"});
+  const json report = json::parse(finished.out);
+  for (const json& finding : report.at("findings")) {
+    EXPECT_TRUE(finding.at("not_fully_shrunk").is_null()) << finding;
+  }
+  EXPECT_EQ(report.at("findings").size(), 1U) << report;
+}
+
 TEST(FuzzFindings, TheFirstIsTheOnlyOne) {
   const Scratch scratch;
   for (const char* jobs : {"1", "2"}) {
