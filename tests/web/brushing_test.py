@@ -62,6 +62,7 @@ def test_a_drag_brushes_what_is_under_it(opened, browser):
     assert drawn["points"] == len(expected(page, inside)[0])
     assert drawn["s2_sets"] == len(expected(page, inside)[1])
     browser.find("#clear-brush").click()
+    browser.rest()
     assert browser.ask("brushed") == []
     assert browser.ask("drawn")["points"] == len(page.records)
 
