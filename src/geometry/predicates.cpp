@@ -18,31 +18,10 @@ std::array<const Point*, 5> points_of(const OutsideSphere& k) { return {&k.p0, &
 std::array<const Point*, 4> points_of(const Orientation& k) { return {&k.p0, &k.p1, &k.p2, &k.p3}; }
 std::array<const Point*, 4> points_of(const OutsideCircle& k) { return {&k.p0, &k.p1, &k.q, &k.r}; }
 
-// n: the norms of the vectors.
-double error_bound(const Angle&, const std::array<double, 2>& n) { return kAngleBound * kUnitRoundoff * n[0] * n[1]; }
-double error_bound(const SideOfPlane&, const std::array<double, 3>& n) {
-  const double ab = n[0] * n[1];
-  return kSideOfPlaneBound * kUnitRoundoff * ab * (ab * n[2]) * (n[0] + n[1] + n[2]);
-}
-double error_bound(const OutsideSphere&, const std::array<double, 4>& n) {
-  return OutsideSphere::error_bound(n[0] * n[1] * n[2], n[0] + n[1] + n[2], n[3]);
-}
-double error_bound(const Orientation&, const std::array<double, 3>& n) {
-  return kOrientationBound * kUnitRoundoff * n[0] * n[1] * n[2];
-}
-double error_bound(const OutsideCircle&, const std::array<double, 4>& n) {
-  return kOutsideCircleBound * kUnitRoundoff * (n[0] * n[1]) * (n[2] * n[3]);
-}
-
 template <class Query>
 MaybeSign double_sign(const Query& query) {
-  const auto vectors = query.vectors([](const Point& from, const Point& to) { return vector_between(from, to); });
-  std::array<double, vectors.size()> norms;
-  for (std::size_t i = 0; i < vectors.size(); ++i) {
-    norms[i] = std::sqrt(dot(vectors[i], vectors[i]));
-    if (!(norms[i] >= kSmallestNorm && norms[i] <= kLargestNorm)) return std::nullopt;
-  }
-  return sign_beyond(Query::value(vectors), error_bound(query, norms));
+  return filtered_sign<Query>(
+      query.vectors([](const Point& from, const Point& to) { return vector_between(from, to); }));
 }
 
 template <class Integer, class Query>

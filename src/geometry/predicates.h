@@ -21,7 +21,8 @@ namespace flowcert::geometry {
 enum class Rung { kDouble, kSmall, kNarrow, kWide, kBig };
 
 // A query has a polynomial, `value`, over any number type, in the `vectors` between its points. They are in an order
-// that makes the polynomial read well.
+// that makes the polynomial read well. `error_bound` is how far `value` is off in doubles, made of the norms of these
+// vectors. spec/proofs/filters/ proves it of what these templates compute.
 
 // The sign of <p - q, r - q>: positive where the angle at q is acute (FC-SIGN-01).
 struct Angle {
@@ -32,6 +33,10 @@ struct Angle {
   template <class Number>
   [[nodiscard]] static Number value(const std::array<Vector3<Number>, 2>& v) {
     return dot(v[0], v[1]);
+  }
+  template <class Number>
+  [[nodiscard]] static Number error_bound(const std::array<Number, 2>& n) {
+    return Number(kAngleBound * kUnitRoundoff) * n[0] * n[1];
   }
 };
 
@@ -50,6 +55,11 @@ struct SideOfPlane {
   [[nodiscard]] static typename Promoted<Number>::Type value(const std::array<Vector3<Number>, 3>& v) {
     const auto sphere = circumsphere(v[0], v[1], v[2]);
     return dot(sphere.ab, sphere.numerator);
+  }
+  template <class Number>
+  [[nodiscard]] static Number error_bound(const std::array<Number, 3>& n) {
+    const Number ab = n[0] * n[1];
+    return Number(kSideOfPlaneBound * kUnitRoundoff) * ab * (ab * n[2]) * (n[0] + n[1] + n[2]);
   }
 };
 
@@ -73,8 +83,13 @@ struct OutsideSphere {
   [[nodiscard]] static Wide value(const Vector3<Wide>& numerator, const Wide& determinant, const Vector3<Number>& v) {
     return Wide(dot(v, v)) * determinant - dot(numerator, promote(v));
   }
-  [[nodiscard]] static double error_bound(double product, double sum, double norm) {
-    return kOutsideSphereBound * kUnitRoundoff * product * norm * (sum + norm);
+  template <class Number>
+  [[nodiscard]] static Number error_bound(const Number& product, const Number& sum, const Number& norm) {
+    return Number(kOutsideSphereBound * kUnitRoundoff) * product * norm * (sum + norm);
+  }
+  template <class Number>
+  [[nodiscard]] static Number error_bound(const std::array<Number, 4>& n) {
+    return error_bound(n[0] * n[1] * n[2], n[0] + n[1] + n[2], n[3]);
   }
 };
 
@@ -89,6 +104,10 @@ struct Orientation {
   template <class Number>
   [[nodiscard]] static typename Promoted<Number>::Type value(const std::array<Vector3<Number>, 3>& v) {
     return dot(promote(v[0]), promote(cross(v[1], v[2])));
+  }
+  template <class Number>
+  [[nodiscard]] static Number error_bound(const std::array<Number, 3>& n) {
+    return Number(kOrientationBound * kUnitRoundoff) * n[0] * n[1] * n[2];
   }
 };
 
@@ -111,12 +130,29 @@ struct OutsideCircle {
     const Vector3<Wide> at_r = promote(cross(v[2], v[3]));
     const Wide hq(dot(v[0], v[1]));
     const Wide hr(dot(v[2], v[3]));
-    const auto size = [](const Wide& value) { return value < 0 ? Wide(-value) : value; };
-    const Wide ax = size(at_q.x), ay = size(at_q.y), az = size(at_q.z);
-    if (ax >= ay && ax >= az) return hq * size(at_r.x) + hr * ax;
-    return ay >= az ? hq * size(at_r.y) + hr * ay : hq * size(at_r.z) + hr * az;
+    const Wide ax = absolute(at_q.x), ay = absolute(at_q.y), az = absolute(at_q.z);
+    if (ax >= ay && ax >= az) return hq * absolute(at_r.x) + hr * ax;
+    if (ay >= az) return hq * absolute(at_r.y) + hr * ay;
+    return hq * absolute(at_r.z) + hr * az;
+  }
+  template <class Number>
+  [[nodiscard]] static Number error_bound(const std::array<Number, 4>& n) {
+    return Number(kOutsideCircleBound * kUnitRoundoff) * (n[0] * n[1]) * (n[2] * n[3]);
   }
 };
+
+// The double filter of a query, of the vectors between its points in floating point. It answers nothing where a norm is
+// out of range.
+template <class Query, class Number, std::size_t kVectors>
+[[nodiscard]] MaybeSign filtered_sign(const std::array<Vector3<Number>, kVectors>& vectors) {
+  using std::sqrt;
+  std::array<Number, kVectors> norms{};
+  for (std::size_t i = 0; i < kVectors; ++i) {
+    norms[i] = sqrt(dot(vectors[i], vectors[i]));
+    if (!(norms[i] >= kSmallestNorm && norms[i] <= kLargestNorm)) return std::nullopt;
+  }
+  return sign_beyond(Query::value(vectors), Query::error_bound(norms));
+}
 
 // One rung alone, for the tests and for callers that have a filter of their own.
 template <class Query>

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "geometry/condition.h"
 #include "geometry/filter_bounds.h"
 #include "geometry/tetrahedron_signs.h"
 #include "geometry/vector3.h"
@@ -35,68 +36,89 @@ template <class Number>
           cc - ca, cc - bc, (ab - ca) + (cc - bc)};
 }
 
+template <class Number>
 struct CellForms {
-  // This is not double[4], because g++ 12 miscompiles loops over references to such arrays under UBSan.
-  using PerFacet = std::array<double, 4>;
+  // This is not Number[4], because g++ 12 miscompiles loops over references to such arrays under UBSan.
+  using PerFacet = std::array<Number, 4>;
 
-  CellAngles<double> angles;
-  double angle_error;
+  CellAngles<Number> angles;
+  Number angle_error;
   PerFacet sides, side_errors;
-  CellSphere sphere;
+  SphereForms<Number> sphere;
 };
+
+// A form's sign is certain where its size is above its error. Nothing is certain of NaN.
+template <class Number>
+[[nodiscard, gnu::always_inline]] inline auto is_certain(const Number& form, const Number& error) {
+  return condition(absolute(form) > error);
+}
+
+// The s of the four facets: twice the square of the determinant times the barycentric coordinates of the centre.
+template <class Number>
+[[nodiscard, gnu::always_inline]] inline std::array<typename Promoted<Number>::Type, 4> cell_sides(
+    const Circumsphere<Number>& sphere) {
+  using Wide = typename Promoted<Number>::Type;
+  const Wide s1 = dot(sphere.bc, sphere.numerator), s2 = dot(sphere.ca, sphere.numerator),
+             s3 = dot(sphere.ab, sphere.numerator);
+  return {Wide(2) * sphere.determinant * sphere.determinant - s1 - s2 - s3, s1, s2, s3};
+}
 
 // a, b, c: the cell's other vertices, seen from vertex 0. If they are on a grid of a power of two, exact_reach is
 // kExactReach of its units; otherwise it is 0.
-[[nodiscard, gnu::always_inline]] inline CellForms cell_forms(const Vector3<double>& a, const Vector3<double>& b,
-                                                              const Vector3<double>& c, double exact_reach = 0) {
-  const double aa = dot(a, a), bb = dot(b, b), cc = dot(c, c);
-  const double na = std::sqrt(aa), nb = std::sqrt(bb), nc = std::sqrt(cc);
+template <class Number>
+[[nodiscard, gnu::always_inline]] inline CellForms<Number> cell_forms(const Vector3<Number>& a,
+                                                                      const Vector3<Number>& b,
+                                                                      const Vector3<Number>& c,
+                                                                      const Number& exact_reach = Number(0)) {
+  using std::sqrt;
+  const Number aa = dot(a, a), bb = dot(b, b), cc = dot(c, c);
+  const Number na = sqrt(aa), nb = sqrt(bb), nc = sqrt(cc);
   // std::min() is a branch to the compiler, because it returns a reference.
-  const auto least = [](double x, double y) __attribute__((always_inline)) { return y < x ? y : x; };
-  const auto most = [](double x, double y) __attribute__((always_inline)) { return x < y ? y : x; };
-  const double smallest = least(least(na, nb), nc), largest = most(most(na, nb), nc);
-  // Conditions are numbers, because && is a branch.
-  const int in_range = static_cast<int>(smallest >= kSmallestNorm) & static_cast<int>(largest <= kLargestNorm);
+  const auto least = [](const Number& x, const Number& y)
+                         __attribute__((always_inline)) { return select(condition(y < x), y, x); };
+  const auto most = [](const Number& x, const Number& y)
+                        __attribute__((always_inline)) { return select(condition(x < y), y, x); };
+  const Number smallest = least(least(na, nb), nc), largest = most(most(na, nb), nc);
+  const auto in_range = condition(smallest >= kSmallestNorm) & condition(largest <= kLargestNorm);
   // An infinite bound leaves every sign open.
-  const double unit = in_range != 0 ? kUnitRoundoff : HUGE_VAL;
+  const Number unit = select(in_range, Number(kUnitRoundoff), Number(HUGE_VAL));
 
-  const Circumsphere<double> circum = circumsphere(a, b, c);
-  const double product = na * nb * nc, sum = na + nb + nc, t = product * sum;
-  const double s1 = dot(circum.bc, circum.numerator), s2 = dot(circum.ca, circum.numerator),
-               s3 = dot(circum.ab, circum.numerator);
-  const double s0 = 2 * circum.determinant * circum.determinant - s1 - s2 - s3;
-  const double side_error = kCellSideBound * unit * t;
-  return {cell_angles(aa, bb, cc, dot(a, b), dot(b, c), dot(c, a)),
+  const Circumsphere<Number> circum = circumsphere(a, b, c);
+  const Number product = na * nb * nc, sum = na + nb + nc, t = product * sum;
+  const Number side_error = kCellSideBound * unit * t;
+  return {cell_angles<Number>(aa, bb, cc, dot(a, b), dot(b, c), dot(c, a)),
           kCellAngleBound * unit * largest * largest,
-          {s0, s1, s2, s3},
+          cell_sides(circum),
           {kFarCellSideBound * unit * t * (na * nb + nb * nc + nc * na), side_error * (nb * nc), side_error * (nc * na),
            side_error * (na * nb)},
           {{circum.numerator.x, circum.numerator.y, circum.numerator.z},
            circum.determinant,
            product,
            sum,
-           in_range != 0,
-           (in_range & static_cast<int>(largest <= exact_reach)) != 0}};
+           in_range,
+           in_range & condition(largest <= exact_reach)}};
 }
 
-// What the filter decides about a sample and the cell's sphere: 0 or 1 each.
+// What the filter decides about a sample and the cell's sphere.
+template <class Number>
 struct SphereAnswer {
-  int is_beyond_bound;  // so that the sample does not lie on the sphere
-  int is_exact;         // nothing was rounded
-  int is_zero;          // the polynomial, which counts where it is exact
+  Condition<Number> is_beyond_bound;  // so that the sample does not lie on the sphere
+  Condition<Number> is_exact;         // nothing was rounded
+  Condition<Number> is_zero;          // the polynomial, which counts where it is exact
 };
 
 // v: the sample, seen from vertex 0. exact_reach: as of the cell.
-[[nodiscard, gnu::always_inline]] inline SphereAnswer compare_sphere(const CellSphere& sphere, const Vector3<double>& v,
-                                                                     double exact_reach = 0) {
-  const double norm = std::sqrt(dot(v, v));
-  const double value = OutsideSphere::value(sphere.numerator, sphere.determinant, v);
-  const int in_range = static_cast<int>(sphere.in_range) & static_cast<int>(norm >= kSmallestNorm) &
-                       static_cast<int>(norm <= kLargestNorm);
-  const double error = OutsideSphere::error_bound(sphere.norm_product, sphere.norm_sum, norm);
-  return {in_range & static_cast<int>(std::fabs(value) > error),
-          in_range & static_cast<int>(sphere.is_exact) & static_cast<int>(norm <= exact_reach),
-          static_cast<int>(value == 0)};
+template <class Number>
+[[nodiscard, gnu::always_inline]] inline SphereAnswer<Number> compare_sphere(const SphereForms<Number>& sphere,
+                                                                             const Vector3<Number>& v,
+                                                                             const Number& exact_reach = Number(0)) {
+  using std::sqrt;
+  const Number norm = sqrt(dot(v, v));
+  const Number value = OutsideSphere::value(sphere.numerator, sphere.determinant, v);
+  const auto in_range = sphere.in_range & condition(norm >= kSmallestNorm) & condition(norm <= kLargestNorm);
+  const Number error = OutsideSphere::error_bound(sphere.norm_product, sphere.norm_sum, norm);
+  return {in_range & is_certain(value, error), in_range & sphere.is_exact & condition(norm <= exact_reach),
+          condition(value == 0)};
 }
 
 }  // namespace flowcert::geometry

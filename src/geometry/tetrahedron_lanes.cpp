@@ -34,22 +34,24 @@ template <bool kGrid>
 inline void TetrahedronLanes::compute_lanes() {
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     const Vector3<double> origin = points_[0].at(lane);
-    const CellForms f = cell_forms(points_[1].at(lane) - origin, points_[2].at(lane) - origin,
-                                   points_[3].at(lane) - origin, exact_reach_);
+    const CellForms<double> f = cell_forms(points_[1].at(lane) - origin, points_[2].at(lane) - origin,
+                                           points_[3].at(lane) - origin, exact_reach_);
     angles_[lane] = over_angles([&](auto k) { return f.angles[k] < 0 ? bit(kAngleBits[k]) : 0.0; });
     sides_[lane] = over_facets([&](auto k) { return f.sides[k] < 0 ? bit(k) : 0.0; });
-    open_angles_[lane] = 12 - over_angles([&](auto k) { return std::fabs(f.angles[k]) > f.angle_error ? 1.0 : 0.0; });
-    open_sides_[lane] = 4 - over_facets([&](auto k) { return std::fabs(f.sides[k]) > f.side_errors[k] ? 1.0 : 0.0; });
+    open_angles_[lane] =
+        12 - over_angles([&](auto k) { return is_certain(f.angles[k], f.angle_error) != 0 ? 1.0 : 0.0; });
+    open_sides_[lane] =
+        4 - over_facets([&](auto k) { return is_certain(f.sides[k], f.side_errors[k]) != 0 ? 1.0 : 0.0; });
     if constexpr (kGrid) {
       zero_angles_[lane] = over_angles([&](auto k) { return f.angles[k] == 0 ? bit(kAngleBits[k]) : 0.0; });
       zero_sides_[lane] = over_facets([&](auto k) { return f.sides[k] == 0 ? bit(k) : 0.0; });
-      is_exact_[lane] = f.sphere.is_exact ? 1 : 0;
+      is_exact_[lane] = f.sphere.is_exact != 0 ? 1 : 0;
     }
     numerator_.put(lane, f.sphere.numerator);
     determinant_[lane] = f.sphere.determinant;
     product_[lane] = f.sphere.norm_product;
     sum_[lane] = f.sphere.norm_sum;
-    in_range_[lane] = f.sphere.in_range ? 1 : 0;
+    in_range_[lane] = f.sphere.in_range != 0 ? 1 : 0;
   }
 }
 

@@ -40,8 +40,12 @@ class TetrahedronLanes {
             static_cast<std::uint8_t>(sides_[lane]), static_cast<std::uint8_t>(zero_sides_[lane]), 0};
   }
   [[nodiscard, gnu::always_inline]] CellSphere sphere(std::size_t lane) const {
-    return {numerator_.at(lane), determinant_[lane],   product_[lane],
-            sum_[lane],          in_range_[lane] != 0, is_exact_[lane] != 0};
+    return {numerator_.at(lane),
+            determinant_[lane],
+            product_[lane],
+            sum_[lane],
+            condition(in_range_[lane] != 0),
+            condition(is_exact_[lane] != 0)};
   }
 
   // One sample a facet of each lane's cell.

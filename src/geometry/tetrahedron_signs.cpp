@@ -31,11 +31,10 @@ std::optional<SmallVectors> small_vectors(const TetrahedronPoints& p) {
 }
 // In the order of the facets.
 std::array<Sign, 4> sides_of(const SmallVectors& v) {
-  const Circumsphere<SmallInteger> sphere = circumsphere(v[0], v[1], v[2]);
-  const NarrowInteger s1 = dot(sphere.bc, sphere.numerator), s2 = dot(sphere.ca, sphere.numerator),
-                      s3 = dot(sphere.ab, sphere.numerator);
-  const NarrowInteger s0 = 2 * sphere.determinant * sphere.determinant - s1 - s2 - s3;
-  return {sign_of(s0), sign_of(s1), sign_of(s2), sign_of(s3)};
+  std::array<Sign, 4> signs{};
+  const auto sides = cell_sides(circumsphere(v[0], v[1], v[2]));
+  for (std::size_t facet = 0; facet < sides.size(); ++facet) signs[facet] = sign_of(sides[facet]);
+  return signs;
 }
 
 // A cell some of whose signs the filter does not know. The integers are made once for all of them.
@@ -63,9 +62,10 @@ class ExactCell {
   std::array<Sign, 4> sides_{};
 };
 
-void resolve_angles(const ExactCell& cell, const CellForms& forms, TetrahedronSigns& signs, FilterTally& tally) {
+void resolve_angles(const ExactCell& cell, const CellForms<double>& forms, TetrahedronSigns& signs,
+                    FilterTally& tally) {
   for (std::size_t k = 0; k < forms.angles.size(); ++k) {
-    if (std::fabs(forms.angles[k]) > forms.angle_error) continue;
+    if (is_certain(forms.angles[k], forms.angle_error) != 0) continue;
     ++tally[Predicate::kAngle].failures;
     const Sign sign = cell.angle(k);
     const unsigned mask = 1u << kAngleBits[k];
@@ -75,9 +75,9 @@ void resolve_angles(const ExactCell& cell, const CellForms& forms, TetrahedronSi
   }
 }
 
-void resolve_sides(const ExactCell& cell, const CellForms& forms, TetrahedronSigns& signs, FilterTally& tally) {
+void resolve_sides(const ExactCell& cell, const CellForms<double>& forms, TetrahedronSigns& signs, FilterTally& tally) {
   for (unsigned facet = 0; facet < 4; ++facet) {
-    if (std::fabs(forms.sides[facet]) > forms.side_errors[facet]) continue;
+    if (is_certain(forms.sides[facet], forms.side_errors[facet]) != 0) continue;
     ++tally[Predicate::kSideOfPlane].failures;
     const auto bit = static_cast<std::uint8_t>(1u << facet);
     signs.side_negative = static_cast<std::uint8_t>(signs.side_negative & ~bit);
@@ -95,8 +95,9 @@ void resolve_sides(const ExactCell& cell, const CellForms& forms, TetrahedronSig
 
 TetrahedronSigns tetrahedron_signs(const TetrahedronPoints& points, CellSphere& sphere, FilterTally& tally) {
   FLOWCERT_REQUIRES(unfiltered_sign(Orientation{*points[0], *points[1], *points[2], *points[3]}) == Sign::kPositive);
-  const CellForms forms = cell_forms(vector_between(*points[0], *points[1]), vector_between(*points[0], *points[2]),
-                                     vector_between(*points[0], *points[3]));
+  const CellForms<double> forms =
+      cell_forms(vector_between(*points[0], *points[1]), vector_between(*points[0], *points[2]),
+                 vector_between(*points[0], *points[3]));
   sphere = forms.sphere;
   tally[Predicate::kAngle].calls += forms.angles.size();
   tally[Predicate::kSideOfPlane].calls += forms.sides.size();
@@ -106,12 +107,12 @@ TetrahedronSigns tetrahedron_signs(const TetrahedronPoints& points, CellSphere& 
   for (std::size_t k = 0; k < forms.angles.size(); ++k) {
     const unsigned negative = forms.angles[k] < 0 ? 1u : 0u;
     signs.angle_negative = static_cast<std::uint16_t>(signs.angle_negative | negative << kAngleBits[k]);
-    all_certain &= std::fabs(forms.angles[k]) > forms.angle_error;
+    all_certain &= is_certain(forms.angles[k], forms.angle_error) != 0;
   }
   for (unsigned facet = 0; facet < 4; ++facet) {
     const unsigned negative = forms.sides[facet] < 0 ? 1u : 0u;
     signs.side_negative = static_cast<std::uint8_t>(signs.side_negative | negative << facet);
-    all_certain &= std::fabs(forms.sides[facet]) > forms.side_errors[facet];
+    all_certain &= is_certain(forms.sides[facet], forms.side_errors[facet]) != 0;
   }
   if (all_certain) return signs;
   const ExactCell exact(points);

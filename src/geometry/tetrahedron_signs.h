@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "geometry/condition.h"
 #include "geometry/predicates.h"
 #include "geometry/vector3.h"
 
@@ -55,14 +56,16 @@ struct TetrahedronSigns {
 };
 
 // What the cell's filter computed on the way, for the in-sphere tests of its neighbours.
-struct CellSphere {
-  Vector3<double> numerator;
-  double determinant = 0;
-  double norm_product = 0;  // |a||b||c|
-  double norm_sum = 0;      // |a|+|b|+|c|
-  bool in_range = false;    // of the filter's norms; otherwise nothing here is certain
-  bool is_exact = false;    // nothing here was rounded
+template <class Number>
+struct SphereForms {
+  Vector3<Number> numerator{};
+  Number determinant{};
+  Number norm_product{};         // |a||b||c|
+  Number norm_sum{};             // |a|+|b|+|c|
+  Condition<Number> in_range{};  // the filter's norms are; otherwise nothing here is certain
+  Condition<Number> is_exact{};  // nothing here was rounded
 };
+using CellSphere = SphereForms<double>;
 
 using TetrahedronPoints = std::array<const Point*, 4>;
 

@@ -35,6 +35,12 @@ template <class Number>
 }
 
 template <class Number>
+[[nodiscard]] Number absolute(const Number& value) {
+  return value < 0 ? Number(-value) : value;
+}
+[[nodiscard]] inline double absolute(double value) { return std::fabs(value); }
+
+template <class Number>
 struct Vector3 {
   Number x, y, z;
 };
@@ -69,7 +75,8 @@ template <class Number>
   return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
 }
 
-[[nodiscard]] inline Vector3<double> vector_between(const Point& from, const Point& to) {
+template <class Position>
+[[nodiscard]] Vector3<decltype(Position::x)> vector_between(const Position& from, const Position& to) {
   return {to.x - from.x, to.y - from.y, to.z - from.z};
 }
 
