@@ -108,7 +108,7 @@ def test_a_picked_maximum_has_its_cell_drawn(with_cells, browser, name):
             row.find_element("css selector", "td").click()
             assert f"record {number} of the list" in browser.find("#page-details .fact-head").text
     browser.ask("pick", {"sample": 0})
-    parts = ("cell", "surface", "lines", "pocket", "mouths", "outlines")
+    parts = ("cell", "surface", "lines", "pocket", "mouths", "outlines", "cycle", "loop")
     assert browser.run("return flowcert.marked()") == dict.fromkeys(parts, 0)
 
 
