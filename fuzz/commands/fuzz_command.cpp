@@ -81,8 +81,9 @@ int run_campaign(const FuzzOptions& options) {
   work_on(printer, campaign, options, progress,
           [&] { return printer.has_first() || (is_time_up(options, progress) && !printer.makes_first_small()); });
   // A case that was under way when the time ended may have become the first finding. It is tried again.
-  if (printer.makes_first_small()) {
-    work_on(printer, campaign, options, progress, [&] { return printer.has_first() || !printer.makes_first_small(); });
+  const auto lacks_first = [&] { return printer.makes_first_small() && !printer.has_first(); };
+  if (lacks_first() && Interruption::signal() == 0) {
+    work_on(printer, campaign, options, progress, [&] { return !lacks_first(); });
   }
   printer.end();
   FuzzRun run{campaign, known, progress.seconds_so_far(), campaign.tally().cases - before, options.jobs};
