@@ -120,9 +120,6 @@ Fixpoint replace (x : nat -> expr) e : expr :=
 
 Lemma on_doubles_replace : forall s x e, on_doubles x (replace s e) = on_doubles (fun n => on_doubles x (s n)) e.
 Proof. induction e; simpl; rewrite ?IHe, ?IHe1, ?IHe2, ?IHe3, ?IHe4; reflexivity. Qed.
-Lemma on_reals_replace : forall round s x e,
-  on_reals round x (replace s e) = on_reals round (fun n => on_reals round x (s n)) e.
-Proof. induction e; simpl; rewrite ?IHe, ?IHe1, ?IHe2, ?IHe3, ?IHe4; reflexivity. Qed.
 Lemma on_doubles_same : forall x y e, (forall n, x n = y n) -> on_doubles x e = on_doubles y e.
 Proof. induction e; simpl; intros; auto; rewrite ?IHe, ?IHe1, ?IHe2, ?IHe3, ?IHe4 by auto; auto. Qed.
 Lemma on_reals_same : forall round x y e, (forall n, x n = y n) -> on_reals round x e = on_reals round y e.

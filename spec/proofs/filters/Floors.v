@@ -11,8 +11,6 @@ Proof.
   rewrite pow_add. replace (/ (10 ^ j * 10 ^ k)) with (/ 10 ^ j * / 10 ^ k) by (field; lra).
   apply Rmult_le_compat; auto; left; apply Rinv_0_lt_compat; auto.
 Qed.
-Lemma floor_pos : forall k x, / 10 ^ k <= x -> 0 < x.
-Proof. intros k x H. eapply Rlt_le_trans; [|exact H]. apply Rinv_0_lt_compat, pow_lt. lra. Qed.
 Lemma floor_tau : forall k x, (k <= 260)%nat -> / 10 ^ k <= x -> tau <= / 10 ^ 40 * x.
 Proof.
   intros k x Hk H. eapply Rle_trans; [apply tau_small|].

@@ -338,3 +338,71 @@ Proof.
   intros e f N a x [F He Hx C] H. split; auto; [|lra].
   eapply Rle_trans; [exact He|]. apply Rmult_le_compat_r; auto. eapply Rle_trans; [apply len_nonneg | exact Hx].
 Qed.
+Lemma sapprox_mult : forall e f M N s t x y g, sapprox e M s x -> sapprox f N t y -> tau <= / 10 ^ 40 * (M * N) ->
+  e * (1 + f) + f + u * ((1 + e) * (1 + f)) + / 10 ^ 30 <= g -> sapprox g (M * N) (rnd (s * t)) (x * y).
+Proof.
+  intros e f M N s t x y g [_ Es Ss Cs] [_ Et St Ct] T1 Hg.
+  generalize u_pos u_val tau_pos (Rabs_pos s) (Rabs_pos t) (Rabs_pos x) (Rabs_pos y) (Rabs_pos (s - x)) (Rabs_pos (t -
+    y)).
+  intros U0 Hu T0 P1 P2 P3 P4 P5 P6.
+  assert (S1 : Rabs s <= (1 + e) * M).
+  { replace s with ((s - x) + x) by ring. generalize (Rabs_triang (s - x) x). lra. }
+  assert (S2 : Rabs t <= (1 + f) * N).
+  { replace t with ((t - y) + y) by ring. generalize (Rabs_triang (t - y) y). lra. }
+  assert (M0 : 0 <= M) by (eapply Rle_trans; [|exact Ss]; auto).
+  assert (N0 : 0 <= N) by (eapply Rle_trans; [|exact St]; auto).
+  assert (MN0 : 0 <= M * N) by (apply Rmult_le_pos; auto).
+  split.
+  - apply fmt_rnd.
+  - replace (rnd (s * t) - x * y) with ((rnd (s * t) - s * t) + ((s - x) * t + x * (t - y))) by ring.
+    eapply Rle_trans; [apply Rabs_triang|]. eapply Rle_trans; [apply Rplus_le_compat; [apply rnd_any | apply
+      Rabs_triang]|].
+    rewrite !Rabs_mult.
+    assert (B : Rabs (s - x) * Rabs t + Rabs x * Rabs (t - y) <= (e * (1 + f) + f) * (M * N))
+      by (apply bilinear; auto; split; auto).
+    assert (R1 : Rabs s * Rabs t <= (1 + e) * M * ((1 + f) * N)) by (apply Rmult_le_compat; auto).
+    assert (R2 : u * (Rabs s * Rabs t) <= u * ((1 + e) * M * ((1 + f) * N))) by (apply Rmult_le_compat_l; lra).
+    assert (R3 : u * tau <= / 10 ^ 30 * (M * N)) by (apply Rle_trans with tau; [rewrite Hu; lra | lra]).
+    assert (G : (e * (1 + f) + f + u * ((1 + e) * (1 + f)) + / 10 ^ 30) * (M * N) <= g * (M * N))
+      by (apply Rmult_le_compat_r; auto).
+    lra.
+  - rewrite Rabs_mult. apply Rmult_le_compat; auto.
+  - eapply Rle_trans; [|exact Hg].
+    assert (0 <= e * (1 + f)) by (apply Rmult_le_pos; lra).
+    assert (0 <= u * ((1 + e) * (1 + f))) by (apply Rmult_le_pos; [lra | apply Rmult_le_pos; lra]). lra.
+Qed.
+Lemma sapprox_minus : forall e M N s t x y g, sapprox e M s x -> sapprox e N t y -> e + u * (1 + e) <= g ->
+  sapprox g (M + N) (rnd (s - t)) (x - y).
+Proof.
+  intros e M N s t x y g [Fs Es Ss Cs] [Ft Et St _] Hg.
+  generalize u_pos (Rabs_pos x) (Rabs_pos y). intros.
+  assert (D : Rabs ((s - x) - (t - y)) <= e * (M + N)).
+  { generalize (Rabs_triang (s - x) (- (t - y))). rewrite Rabs_Ropp.
+    replace ((s - x) - (t - y)) with ((s - x) + - (t - y)) by ring. lra. }
+  assert (XY : Rabs (x - y) <= M + N).
+  { generalize (Rabs_triang x (- y)). rewrite Rabs_Ropp. replace (x - y) with (x + - y) by ring. lra. }
+  assert (ST : Rabs (s - t) <= (1 + e) * (M + N)).
+  { replace (s - t) with ((s - x - (t - y)) + (x - y)) by ring. generalize (Rabs_triang (s - x - (t - y)) (x - y)). lra.
+    }
+  split; auto.
+  - apply fmt_rnd.
+  - replace (rnd (s - t) - (x - y)) with ((rnd (s - t) - (s - t)) + ((s - x) - (t - y))) by ring.
+    eapply Rle_trans; [apply Rabs_triang|].
+    generalize (rnd_plus s (- t) Fs (fmt_opp _ Ft)). change (s + - t) with (s - t). intro R.
+    assert (u * Rabs (s - t) <= u * ((1 + e) * (M + N))) by (apply Rmult_le_compat_l; lra).
+    assert (NM : 0 <= M + N) by lra.
+    assert ((e + u * (1 + e)) * (M + N) <= g * (M + N)) by (apply Rmult_le_compat_r; auto). lra.
+  - assert (0 <= u * (1 + e)) by (apply Rmult_le_pos; lra). lra.
+Qed.
+Lemma sapprox_opp : forall e N a x, sapprox e N a x -> sapprox e N (- a) (- x).
+Proof.
+  intros e N a x [F He Hx C]. split; auto.
+  - apply fmt_opp; auto.
+  - replace (- a - - x) with (- (a - x)) by ring. rewrite Rabs_Ropp. exact He.
+  - rewrite Rabs_Ropp. exact Hx.
+Qed.
+Lemma sapprox_weaken : forall e f N a x, sapprox e N a x -> e <= f -> sapprox f N a x.
+Proof.
+  intros e f N a x [F He Hx C] H. split; auto; [|lra].
+  eapply Rle_trans; [exact He|]. apply Rmult_le_compat_r; auto. eapply Rle_trans; [apply Rabs_pos | exact Hx].
+Qed.

@@ -147,16 +147,3 @@ Proof.
     unfold E in *. rewrite <- tech_pow_Rmult. lra.
   - generalize (Rabs_triang x y). lra.
 Qed.
-Lemma approx_opp : forall k M a x, approx k M a x -> approx k M (- a) (- x).
-Proof.
-  intros k M a x [F He Hm]. split; [apply fmt_opp; auto| |rewrite Rabs_Ropp; auto].
-  replace (- a - - x) with (- (a - x)) by ring. rewrite Rabs_Ropp. auto.
-Qed.
-Lemma approx_minus : forall k M N a b x y,
-  approx k M a x -> approx k N b y -> approx (S k) (M + N) (rnd (a - b)) (x - y).
-Proof. intros. apply (approx_plus k M N a (- b) x (- y)); auto. apply approx_opp; auto. Qed.
-
-(* What a filter does with it. *)
-Lemma sign_beyond : forall k M v x B, approx k M v x -> E k * M <= B ->
-  (B < v -> 0 < x) /\ (v < - B -> x < 0).
-Proof. intros k M v x B [_ He _] HB. apply Rabs_le_inv in He. split; intro; lra. Qed.
