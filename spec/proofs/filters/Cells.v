@@ -496,45 +496,27 @@ Qed.
 
 Definition products n := n 0%nat * n 1%nat * n 2%nat * (n 0%nat + n 1%nat + n 2%nat).
 
+(* A facet at vertex 0, whose edges from there have the norms i and j. *)
+Ltac near_side side i j :=
+  apply (scaled_form_right side (side_bound (Mul (Var i) (Var j))) kCellSideBound 1
+    (fun n => products n * (n i * n j)));
+    [by_computation | by_computation | by_computation
+    | let n := fresh "n" in intro n; change (exact n (with_unit (side_bound (Mul (Var i) (Var j)))))
+        with (exact n (constant kCellSideBound) * exact n kUnit * products n * (n i * n j)); ring
+    | let n := fresh "n" in intros n _; rewrite Q2R_1; unfold products; cbn -[Rmult Rplus]; right; ring].
+
 Theorem side_1_right : forall y, (forall n, finite (y n)) ->
   forall s, answers (fun n => on_doubles y (from_vertex n)) Code.side_1 Code.side_error_1 s ->
   is_sign s (exact (exact_from_vertex y) (flatten s1)).
-Proof.
-  apply (scaled_form_right s1 (side_bound (Mul n1 n2)) kCellSideBound 1 (fun n => products n * (n 1%nat * n 2%nat)));
-    [by_computation | by_computation | by_computation | |].
-  - intro n. change (exact n (with_unit (side_bound (Mul n1 n2)))) with (exact n (constant kCellSideBound) * exact n
-    kUnit *
-      (n 0%nat * n 1%nat * n 2%nat * (n 0%nat + n 1%nat + n 2%nat)) *
-      (n 1%nat * n 2%nat)).
-    unfold products. ring.
-  - intros n _. rewrite Q2R_1. unfold products. cbn -[Rmult Rplus]. right. ring.
-Qed.
+Proof. near_side s1 1%nat 2%nat. Qed.
 Theorem side_2_right : forall y, (forall n, finite (y n)) ->
   forall s, answers (fun n => on_doubles y (from_vertex n)) Code.side_2 Code.side_error_2 s ->
   is_sign s (exact (exact_from_vertex y) (flatten s2)).
-Proof.
-  apply (scaled_form_right s2 (side_bound (Mul n2 n0)) kCellSideBound 1 (fun n => products n * (n 2%nat * n 0%nat)));
-    [by_computation | by_computation | by_computation | |].
-  - intro n. change (exact n (with_unit (side_bound (Mul n2 n0)))) with (exact n (constant kCellSideBound) * exact n
-    kUnit *
-      (n 0%nat * n 1%nat * n 2%nat * (n 0%nat + n 1%nat + n 2%nat)) *
-      (n 2%nat * n 0%nat)).
-    unfold products. ring.
-  - intros n _. rewrite Q2R_1. unfold products. cbn -[Rmult Rplus]. right. ring.
-Qed.
+Proof. near_side s2 2%nat 0%nat. Qed.
 Theorem side_3_right : forall y, (forall n, finite (y n)) ->
   forall s, answers (fun n => on_doubles y (from_vertex n)) Code.side_3 Code.side_error_3 s ->
   is_sign s (exact (exact_from_vertex y) (flatten s3)).
-Proof.
-  apply (scaled_form_right s3 (side_bound (Mul n0 n1)) kCellSideBound 1 (fun n => products n * (n 0%nat * n 1%nat)));
-    [by_computation | by_computation | by_computation | |].
-  - intro n. change (exact n (with_unit (side_bound (Mul n0 n1)))) with (exact n (constant kCellSideBound) * exact n
-    kUnit *
-      (n 0%nat * n 1%nat * n 2%nat * (n 0%nat + n 1%nat + n 2%nat)) *
-      (n 0%nat * n 1%nat)).
-    unfold products. ring.
-  - intros n _. rewrite Q2R_1. unfold products. cbn -[Rmult Rplus]. right. ring.
-Qed.
+Proof. near_side s3 0%nat 1%nat. Qed.
 
 (* The square of |a||b||c| is at most a ninth of what the other three sides make. *)
 Lemma nine_products : forall x y z, 0 < x -> 0 < y -> 0 < z -> 9 * (x * y * z) <= (x + y + z) * (x * y + y * z + z * x).
