@@ -1,12 +1,11 @@
 #include "geometry/nearest_samples.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 #include "flowcert/sphere.h"
 #include "geometry/contract.h"
-#include "geometry/filter_bounds.h"
+#include "geometry/distance_filter.h"
 #include "geometry/rational_point.h"
 
 namespace flowcert::geometry {
@@ -15,16 +14,9 @@ DistanceOrder::DistanceOrder(const RationalPoint& x) : x_(x), rounded_(rounded_p
   largest_ = greatest_coordinate(rounded_);
 }
 
-double DistanceOrder::rounded_distance(const Point& p) const {
-  const double dx = p.x - rounded_.x, dy = p.y - rounded_.y, dz = p.z - rounded_.z;
-  return std::sqrt(dx * dx + dy * dy + dz * dz);
-}
+double DistanceOrder::rounded_distance(const Point& p) const { return geometry::rounded_distance(rounded_, p); }
 
-double DistanceOrder::reach(double distance) const {
-  const double bound =
-      distance * (1 + kDistanceBound * kUnitRoundoff) + kPositionBound * kUnitRoundoff * largest_ + kDistanceUnderflow;
-  return bound > kLargestDistance ? HUGE_VAL : bound;
-}
+double DistanceOrder::reach(double distance) const { return reach_of(distance, largest_); }
 
 Sign DistanceOrder::compare(const Point& p, const Point& q) const {
   const double to_p = rounded_distance(p), to_q = rounded_distance(q);

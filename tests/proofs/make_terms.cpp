@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/distance_filter.h"
 #include "geometry/filter_bounds.h"
 #include "geometry/integer_grid.h"
 #include "geometry/predicates.h"
@@ -85,6 +86,7 @@ CoqModule cell_module() {
   const auto tree_of = [](const RecordedTruth& truth) {
     return recorded_function([&] { return truth ? CoqAnswer(MaybeSign(Sign::kPositive)) : kNoAnswer; });
   };
+  module.define("is_cell_exact", tree_of(forms.sphere.is_exact));
   module.define("is_beyond_sphere", tree_of(answer.is_beyond_bound));
   module.define("is_exact", tree_of(answer.is_exact));
   module.define("is_on_sphere", tree_of(answer.is_zero));
@@ -100,6 +102,16 @@ CoqModule cell_integers_module() {
   for (std::size_t k = 0; k < angles.size(); ++k) named.push_back({fmt::format("angle_{}", k), angles[k].term()});
   for (std::size_t k = 0; k < sides.size(); ++k) named.push_back({fmt::format("side_{}", k), sides[k].term()});
   module.define(named);
+  return module;
+}
+
+// The position is point 0, and the sample is point 1. Distance and largest coordinate are variables 0 and 1.
+CoqModule distances_module() {
+  CoqModule module("Distances");
+  const RecordedDouble distance =
+      rounded_distance(recorded_vector<Width::kDouble>(0), recorded_vector<Width::kDouble>(1));
+  const RecordedDouble reach = reach_of(RecordedDouble::variable(0), RecordedDouble::variable(1));
+  module.define(std::vector<CoqModule::Named>{{"distance", distance.term()}, {"reach", reach.term()}});
   return module;
 }
 
@@ -140,6 +152,7 @@ void write_all(const std::filesystem::path& folder) {
   predicates += "\n" + module_of("Orientation", Orientation{p[0], p[1], p[2], p[3]}).text();
   predicates += "\n" + module_of("OutsideCircle", OutsideCircle{p[0], p[1], p[2], p[3]}).text();
   write(folder / "Predicates.v", predicates);
+  write(folder / "Distances.v", start + "\n" + distances_module().text());
   write(folder / "Cells.v", start + "\n" + cell_module().text() + "\n" + cell_integers_module().text());
 }
 

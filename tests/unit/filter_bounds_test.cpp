@@ -1,5 +1,5 @@
-// The error bounds of the double filters, compared with those that predicates.h and tetrahedron_signs.cpp
-// prove: a filter must leave a sign open where the double is within the proven error of zero.
+// The error bounds of the double filters, compared with what is proved of the errors (spec/proofs/filters/Proved.v): a
+// filter must leave a sign open where the double is within the proven error of zero.
 //
 // Random inputs seldom have rounding errors near the worst case, so a bound ten times too small hardly ever
 // contradicts the next rung. Here it fails on every near tie. Each test counts the values within the
@@ -86,33 +86,33 @@ constexpr double u = kUnitRoundoff;  // NOLINT(readability-identifier-naming): a
 
 Value angle_value(const std::array<Point, 3>& t) {
   const Vector a = vector_between(t[1], t[0]), b = vector_between(t[1], t[2]);
-  return {dot(a, b), 5.1 * u * norm(a) * norm(b)};
+  return {dot(a, b), 5 * u * norm(a) * norm(b)};
 }
 Value orientation_value(const std::array<Point, 4>& t) {
   const auto [a, b, c] = vectors_from_first(t);
-  return {dot(a, cross(b, c)), 9.8 * u * norm(a) * norm(b) * norm(c)};
+  return {dot(a, cross(b, c)), 8.414 * u * norm(a) * norm(b) * norm(c)};
 }
-// <a x b, numerator>: 13.8 for the numerator, 5.7 for a x b, 3 for their product.
+// <a x b, numerator>
 Value side_value(const std::array<Point, 4>& t) {
   const auto [a, b, c] = vectors_from_first(t);
   const auto sphere = circumsphere(a, b, c);
   const double abc = norm(a) * norm(b) * norm(c);
-  return {dot(sphere.ab, sphere.numerator), 22.5 * u * norm(a) * norm(b) * abc * (norm(a) + norm(b) + norm(c))};
+  return {dot(sphere.ab, sphere.numerator), 19.828 * u * norm(a) * norm(b) * abc * (norm(a) + norm(b) + norm(c))};
 }
-// |v|^2 det: 5.1 + 9.8 + 1; <numerator, v> has more.
+// |v|^2 det - <numerator, v>
 Value sphere_value(const std::array<Point, 5>& t) {
   const auto [a, b, c, v] = vectors_from_first(t);
   const auto sphere = circumsphere(a, b, c);
   const double product = norm(a) * norm(b) * norm(c) * norm(v);
   return {dot(v, v) * sphere.determinant - dot(sphere.numerator, v),
-          15.9 * u * product * (norm(a) + norm(b) + norm(c) + norm(v))};
+          17.414 * u * product * (norm(a) + norm(b) + norm(c) + norm(v))};
 }
-// For points with z = 0: two products of 5.1 + 5.7 + 1 each.
+// For points with z = 0.
 Value circle_value(const std::array<Point, 4>& t) {
   const Vector aq = vector_between(t[2], t[0]), bq = vector_between(t[2], t[1]);
   const Vector ar = vector_between(t[3], t[0]), br = vector_between(t[3], t[1]);
   return {dot(aq, bq) * std::fabs(cross(ar, br).z) + dot(ar, br) * std::fabs(cross(aq, bq).z),
-          23.6 * u * norm(aq) * norm(bq) * norm(ar) * norm(br)};
+          22.828 * u * norm(aq) * norm(bq) * norm(ar) * norm(br)};
 }
 
 constexpr int kTies = 3000;
@@ -180,9 +180,9 @@ CellValues cell_values(const std::array<Point, 4>& t) {
     for (std::size_t k = 0; k < 4; ++k) {
       for (std::size_t l = k + 1; l < 4; ++l) {
         if (j == k || j == l) continue;
-        // An angle at vertex 0 is one dot product (5.1). Others have up to four of them, and three sums (9).
+        // An angle at vertex 0 is one dot product. Others are sums of up to four, of which this is another rounding.
         values.angles[filled++] = {dot(vector_between(t[j], t[k]), vector_between(t[j], t[l])),
-                                   (j == 0 ? 5.1 : 20.4) * u * largest * largest};
+                                   (j == 0 ? 5 : 20) * u * largest * largest};
       }
     }
   }
@@ -190,11 +190,11 @@ CellValues cell_values(const std::array<Point, 4>& t) {
   const double s3 = dot(sphere.ab, sphere.numerator), s1 = dot(sphere.bc, sphere.numerator),
                s2 = dot(sphere.ca, sphere.numerator);
   const double total = na * nb * nc * (na + nb + nc);
-  values.sides = {
-      Value{2 * sphere.determinant * sphere.determinant - s1 - s2 - s3, 30 * u * total * (na * nb + nb * nc + nc * na)},
-      {s1, 22.5 * u * total * nb * nc},
-      {s2, 22.5 * u * total * nc * na},
-      {s3, 22.5 * u * total * na * nb}};
+  values.sides = {Value{2 * sphere.determinant * sphere.determinant - s1 - s2 - s3,
+                        27.9 * u * total * (na * nb + nb * nc + nc * na)},
+                  {s1, 19.828 * u * total * nb * nc},
+                  {s2, 19.828 * u * total * nc * na},
+                  {s3, 19.828 * u * total * na * nb}};
   return values;
 }
 

@@ -403,6 +403,26 @@ Proof.
   vm_compute. reflexivity.
 Qed.
 
+(* What a vector is whose norm passed the range tests. *)
+Lemma vectors_in_range : forall count small large, is_range small large = true ->
+  forall pairs y, let x n := on_doubles y (between pairs n) in are_in_range small large count x ->
+  forall k, (k < count)%nat -> let n := val (on_doubles x (norm k)) in
+  napprox (Q2R unit) (n * (1 + 4 * u)) (value_of_vector (fun n => val (x n)) k)
+    (value_of_vector (exact_between pairs y) k) /\
+  (finite (on_doubles x (norm k)) /\ smallest_norm <= n <= 10 ^ 42 * 1.001) /\
+  forall i, (i < 3)%nat -> finite (x (3 * k + i)%nat) /\ Rabs (val (x (3 * k + i)%nat)) <= bpow radix2 143.
+Proof.
+  intros count small large Range pairs y x Norms k Hk n. destruct (Norms k Hk) as [A B].
+  destruct (in_range_back x small large Range (norm k) A B) as [F S]. fold n in S.
+  destruct (vector_back pairs y k F) as [Fi [a [b [Fa [Fb [E1 [E2 E3]]]]]]].
+  change (value_of_vector (fun n => val (x n)) k = rsub a b) in E1. change (n = rlen (rsub a b)) in E3.
+  split; [|split; [split; [exact F | exact S]|]].
+  - rewrite E1, E2, E3, unit_u. apply napprox_difference; auto. rewrite <- E3. apply S.
+  - rewrite E3 in S. destruct (vector_size a b Fa Fb S) as [S1 [S2 S3]]. rewrite <- E1 in S1, S2, S3.
+    unfold value_of_vector in *. cbn [vx vy vz] in *. intros i Hi. split; [apply Fi, Hi|].
+    destruct i as [|[|[|i]]]; [rewrite Nat.add_0_r; exact S1 | exact S2 | exact S3 | lia].
+Qed.
+
 (* The value is within its bound. The bound is made of the variables z, each of which is a norm or the like. *)
 Theorem value_within_bound : forall count variables small large (value : term Scalar) bound c,
   is_enough count variables value bound c = true -> is_range small large = true ->
@@ -425,24 +445,16 @@ Proof.
   { intro k. unfold n. destruct (Nat.ltb_spec k count) as [L|L]; [apply guarded, (N k L)|]. lra. }
   assert (P43 : 0 < / 10 ^ 43) by (apply Rinv_0_lt_compat, pow_lt; lra).
   (* the value *)
-  assert (VB : forall k, (k < count)%nat -> let p := value_of_vector (fun n => val (x n)) k in
-    napprox (Q2R unit) (n k * (1 + 4 * u)) p (value_of_vector (exact_between pairs y) k) /\
-    (forall i, (i < 3)%nat -> finite (x (3 * k + i)%nat) /\ Rabs (val (x (3 * k + i)%nat)) <= bpow radix2 143)).
-  { intros k Hk p. destruct (N k Hk) as [F B]. destruct (vector_back pairs y k F) as [Fi [a [b [Fa [Fb [E1 [E2
-    E3]]]]]]].
-    change (value_of_vector (fun n => val (x n)) k = rsub a b) in E1.
-    change (val (on_doubles x (norm k)) = rlen (rsub a b)) in E3. rewrite E3 in B. split.
-    - unfold p, n. destruct (Nat.ltb_spec k count); [|lia]. rewrite E1, E2, E3, unit_u. apply napprox_difference; auto.
-      apply B.
-    - destruct (vector_size a b Fa Fb B) as [S1 [S2 S3]]. rewrite <- E1 in S1, S2, S3. unfold value_of_vector in *.
-      cbn [vx vy vz] in *. intros i Hi. split; [apply Fi, Hi|].
-      destruct i as [|[|[|i]]]; [rewrite Nat.add_0_r; exact S1 | exact S2 | exact S3 | lia]. }
+  assert (VB := vectors_in_range count small large Range pairs y Norms). fold x in VB. cbv zeta in VB.
+  assert (VN : forall k, (k < count)%nat -> napprox (Q2R unit) (n k * (1 + 4 * u))
+    (value_of_vector (fun n => val (x n)) k) (value_of_vector (exact_between pairs y) k)).
+  { intros k Hk. unfold n. destruct (Nat.ltb_spec k count) as [L|L]; [|lia]. apply (VB k L). }
   destruct (height (top_of_vectors count) (flatten value)) as [hv|] eqn:HV; [|discriminate].
   destruct (forward x (top_of_vectors count) (flatten value) hv) as [FV [EV _]]; [|exact HV|].
   { intros j Hj. unfold top_of_vectors in *. destruct (Nat.ltb_spec (j / 3) count) as [L|L]; [|discriminate].
     assert (M : (j mod 3 < 3)%nat) by (apply Nat.mod_upper_bound; discriminate).
     replace j with (3 * (j / 3) + j mod 3)%nat by (symmetry; apply Nat.div_mod; discriminate).
-    apply VB; auto. }
+    apply (VB _ L), M. }
   (* the bound *)
   set (w := fun k => if (k <? variables)%nat then z k else binary_normalize 53 1024 eq_refl eq_refl mode_NE 1 0 false).
   set (m := fun k => if (k <? variables)%nat then val (z k) else 1).
@@ -469,7 +481,7 @@ Proof.
   destruct (errors count (fun k => n k * (1 + 4 * u)) (fun _ => unit) (fun j => val (x j)) (exact_between pairs y))
     with (k := Scalar) (t := value) as [_ Er _ _].
   { intro k. generalize (N43 k). intro. rewrite <- (Rmult_1_r (/ 10 ^ 43)). apply Rmult_le_compat; lra. }
-  { intros k Hk. apply VB, Hk. }
+  { exact VN. }
   { exact G1. }
   cbn [on_shape] in Er. fold (rounded (fun j => val (x j)) (flatten value)) in Er. rewrite <- EV in Er.
   rewrite size_of_multiple in Er by exact G2.

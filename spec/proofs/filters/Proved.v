@@ -1,7 +1,7 @@
 (* How large each constant has to be, in thousandths of the unit roundoff, rounded up: what is proved. *)
-From Coq Require Import ZArith QArith Qround.
+From Coq Require Import ZArith QArith Qround Bool List.
 From Flowcert Require Import code.Expression code.generated.Constants filters.Terms filters.Filter filters.Predicates
-  filters.Cells.
+  filters.Cells filters.Exact.
 
 (* The bound is the constant times `share` times the value's size, or more. *)
 Definition needed (value : term Scalar) bound (share : Q) : Z :=
@@ -19,3 +19,7 @@ Theorem cell_angle_needs :
 Proof. by_computation. Qed.
 Theorem cell_side_needs : needed s1 (with_unit (side_bound (Mul n1 n2))) 1 = 19829%Z. Proof. by_computation. Qed.
 Theorem far_cell_side_needs : needed s0 (with_unit far_side_bound) (9 # 11) = 27902%Z. Proof. by_computation. Qed.
+
+(* A cell's forms are exact up to this reach, and not beyond it. *)
+Definition is_exact_cell reach := forallb (is_whole 3 reach) (cell_angles ++ sides).
+Theorem exact_reach_allows : is_exact_cell 305 = true /\ is_exact_cell 306 = false. Proof. split; by_computation. Qed.

@@ -36,12 +36,11 @@ Definition x29 := Choose Less x27 x26 x26 x27.
 Definition x30 := Choose Less x29 x25 x25 x29.
 Definition x31 := Choose LessEqual (Cst 6277101735386681 (-192)) (Choose Less x25 x28 x25 x28) (Choose LessEqual x30
   (Cst 6462348535570529 87) (Cst 1 (-53)) (Infinite)) (Infinite).
-Definition x32 := Mul (Cst 1 5) x31.
-Definition x33 := Mul x27 x26.
-Definition x34 := Mul (Mul x33 x25) (Add (Add x27 x26) x25).
-Definition x35 := Mul x26 x25.
-Definition x36 := Mul x25 x27.
-Definition x37 := Mul x32 x34.
+Definition x32 := Mul x27 x26.
+Definition x33 := Mul (Mul x32 x25) (Add (Add x27 x26) x25).
+Definition x34 := Mul x26 x25.
+Definition x35 := Mul x25 x27.
+Definition x36 := Mul (Mul (Cst 5 2) x31) x33.
 Definition angle_0 := x0.
 Definition angle_1 := x1.
 Definition angle_2 := x2.
@@ -58,25 +57,28 @@ Definition side_0 := Sub (Sub (Sub (Mul (Mul (Cst 1 1) x12) x12) x22) x23) x24.
 Definition side_1 := x22.
 Definition side_2 := x23.
 Definition side_3 := x24.
-Definition angle_error := Mul (Mul x32 x30) x30.
-Definition side_error_0 := Mul (Mul (Mul (Cst 1 6) x31) x34) (Add (Add x33 x35) x36).
-Definition side_error_1 := Mul x37 x35.
-Definition side_error_2 := Mul x37 x36.
-Definition side_error_3 := Mul x37 x33.
+Definition angle_error := Mul (Mul (Mul (Cst 29 0) x31) x30) x30.
+Definition side_error_0 := Mul (Mul (Mul (Cst 7 2) x31) x33) (Add (Add x32 x34) x35).
+Definition side_error_1 := Mul x36 x34.
+Definition side_error_2 := Mul x36 x35.
+Definition side_error_3 := Mul x36 x32.
 Definition certain_sign := If Less (Var 1) (Abs (Var 0)) (If Less (Var 0) (Cst 0 0) (Answer (Some Negative)) (Answer
   (Some Positive))) (Answer None).
-Definition x38 := Add (Add (Mul (Var 9) (Var 9)) (Mul (Var 10) (Var 10))) (Mul (Var 11) (Var 11)).
-Definition x39 := Root x38.
+Definition is_cell_exact := If LessEqual (Cst 6277101735386681 (-192)) (Choose Less x25 x28 x25 x28) (If LessEqual x30
+  (Cst 6462348535570529 87) (If LessEqual x30 (Var 15) (Answer (Some Positive)) (Answer None)) (Answer None)) (Answer
+  None).
+Definition x37 := Add (Add (Mul (Var 9) (Var 9)) (Mul (Var 10) (Var 10))) (Mul (Var 11) (Var 11)).
+Definition x38 := Root x37.
 Definition is_beyond_sphere := If LessEqual (Cst 6277101735386681 (-192)) (Choose Less x25 x28 x25 x28) (If LessEqual
-  x30 (Cst 6462348535570529 87) (If LessEqual (Cst 6277101735386681 (-192)) x39 (If LessEqual x39 (Cst 6462348535570529
-  87) (If Less (Mul (Mul (Mul (Cst 5 (-51)) (Mul x33 x25)) x39) (Add (Add (Add x27 x26) x25) x39)) (Abs (Sub (Mul x38
+  x30 (Cst 6462348535570529 87) (If LessEqual (Cst 6277101735386681 (-192)) x38 (If LessEqual x38 (Cst 6462348535570529
+  87) (If Less (Mul (Mul (Mul (Cst 9 (-52)) (Mul x32 x25)) x38) (Add (Add (Add x27 x26) x25) x38)) (Abs (Sub (Mul x37
   x12) (Add (Add (Mul x15 (Var 9)) (Mul x18 (Var 10))) (Mul x21 (Var 11))))) (Answer (Some Positive)) (Answer None))
   (Answer None)) (Answer None)) (Answer None)) (Answer None).
 Definition is_exact := If LessEqual (Cst 6277101735386681 (-192)) (Choose Less x25 x28 x25 x28) (If LessEqual x30 (Cst
-  6462348535570529 87) (If LessEqual (Cst 6277101735386681 (-192)) x39 (If LessEqual x39 (Cst 6462348535570529 87) (If
-  LessEqual x30 (Var 15) (If LessEqual x39 (Var 15) (Answer (Some Positive)) (Answer None)) (Answer None)) (Answer
+  6462348535570529 87) (If LessEqual (Cst 6277101735386681 (-192)) x38 (If LessEqual x38 (Cst 6462348535570529 87) (If
+  LessEqual x30 (Var 15) (If LessEqual x38 (Var 15) (Answer (Some Positive)) (Answer None)) (Answer None)) (Answer
   None)) (Answer None)) (Answer None)) (Answer None).
-Definition is_on_sphere := If Equal (Sub (Mul x38 x12) (Add (Add (Mul x15 (Var 9)) (Mul x18 (Var 10))) (Mul x21 (Var
+Definition is_on_sphere := If Equal (Sub (Mul x37 x12) (Add (Add (Mul x15 (Var 9)) (Mul x18 (Var 10))) (Mul x21 (Var
   11)))) (Cst 0 0) (Answer (Some Positive)) (Answer None).
 End Cell.
 
