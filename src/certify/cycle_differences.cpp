@@ -130,8 +130,9 @@ class CycleJudge {
       low = high = values_.approximation(*named).value;
     } else if (end.squared_distance && tolerance_ < Rational(1, 2)) {
       low = high = as_double(end.squared_distance->value);
-      // The true value differs by less than this part of the claimed one.
-      const double part = 2 * as_double(tolerance_) + 0x1p-40;
+      // The true value differs by less than this part of the claimed one. The constant is for what is rounded here.
+      constexpr double kRoundedPart = 0x1p-40;
+      const double part = 2 * as_double(tolerance_) + kRoundedPart;
       low -= part * std::fabs(low);
       high += part * std::fabs(high);
     }

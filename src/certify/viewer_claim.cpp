@@ -32,6 +32,12 @@ std::vector<std::size_t> ordinals_of(const PointSet& points, const std::vector<P
   return ordinals;
 }
 
+// A difference of coordinates is wrong by at most 2^-51 of the largest one, and is at most twice that. So a sum of three
+// squares is wrong by less than 2^-45 of its square.
+constexpr double kSquaresShare = 0x1p-44;
+// What is below it may underflow, and is decided exactly.
+constexpr double kLeastSlack = std::numeric_limits<double>::min() * 0x1p60;
+
 // Tells most samples far outside a sphere by doubles. It says so only where rounding cannot matter.
 class FarOutside {
  public:
@@ -42,10 +48,8 @@ class FarOutside {
     const double x = p.x - center_[0], y = p.y - center_[1], z = p.z - center_[2];
     const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), std::abs(center_[0]),
                                      std::abs(center_[1]), std::abs(center_[2])});
-    // A difference is wrong by at most 2^-51 of the largest coordinate, and is at most twice that coordinate. So the
-    // sum of squares is wrong by less than 2^-45 of its square. What underflows is decided exactly.
-    const double slack = largest * largest * 0x1p-44 + squared_radius_ * 0x1p-44;
-    if (!(slack > std::numeric_limits<double>::min() * 0x1p60)) return false;
+    const double slack = largest * largest * kSquaresShare + squared_radius_ * kSquaresShare;
+    if (!(slack > kLeastSlack)) return false;
     return x * x + y * y + z * z > squared_radius_ + slack;
   }
 

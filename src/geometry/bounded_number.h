@@ -10,9 +10,20 @@
 #include <optional>
 
 #include "geometry/double_double.h"
+#include "geometry/value_range.h"
 #include "geometry/vector3.h"
 
 namespace flowcert::geometry {
+
+// ---- Constants of the bounds ----
+
+// Makes good for the rounding of bounds: some thousand operations, each of which is wrong by 2^-53 of itself at most.
+inline constexpr double kBoundedShare = 0x1p-40;
+inline constexpr double kBoundedSlack = 1 + kBoundedShare;
+// A product and a quotient have a relative error of one roundoff each. The rest is for the rounding of the bound.
+inline constexpr double kBoundedRoundoff = 8 * DoubleDouble::kRoundoff;
+// What underflows is less than some of the smallest doubles, times numbers below 2^70.
+inline constexpr double kBoundedUnderflow = 0x1p-1000;
 
 struct BoundedNumber {
   DoubleDouble value;
@@ -22,7 +33,7 @@ struct BoundedNumber {
 [[nodiscard]] inline BoundedNumber operator-(const BoundedNumber& x, const BoundedNumber& y) {
   const DoubleDouble value = x.value - y.value;
   const double rounding = DoubleDouble::kRoundoff * std::fabs(value.high());
-  return {value, (x.error + y.error + rounding) * (1 + 0x1p-50) + std::numeric_limits<double>::denorm_min()};
+  return {value, (x.error + y.error + rounding) * kBoundedSlack + std::numeric_limits<double>::denorm_min()};
 }
 
 // Sums of two doubles are rounded to nearest, so a greater sum never has a lesser double.
@@ -32,7 +43,7 @@ struct BoundedNumber {
   if (number.error == 0) return high + low + 0.0;  // no negative zero: FC-IN-02
   // This also covers the rounding of the two sums with `low`.
   const double reach =
-      number.error * (1 + 0x1p-50) + std::fabs(low) * 0x1p-51 + std::numeric_limits<double>::denorm_min();
+      number.error * kBoundedSlack + std::fabs(low) * kRoundingShare + std::numeric_limits<double>::denorm_min();
   const double least = high + (low - reach), greatest = high + (low + reach);
   if (!(least == greatest) || least == 0 || !std::isfinite(least)) return std::nullopt;
   return least;
@@ -43,11 +54,6 @@ struct BoundedNumber {
 // The bound of a result holds for all numbers within the bounds of what it is made of. It is infinite, or no number,
 // where nothing is known: after an overflow, or a division by what may be zero. Numbers have to be below 2^480 for a
 // product not to overflow. What underflows is less than 2^-1000, which every bound includes.
-
-inline constexpr double kBoundedRoundoff = 8 * DoubleDouble::kRoundoff;
-inline constexpr double kBoundedUnderflow = 0x1p-1000;
-// Makes good for the rounding of bounds.
-inline constexpr double kBoundedSlack = 1 + 0x1p-30;
 
 [[nodiscard]] inline double magnitude(const DoubleDouble& x) { return std::fabs(x.high()); }
 

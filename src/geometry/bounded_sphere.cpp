@@ -16,7 +16,29 @@ namespace {
 using DoubledVector = Vector3<DoubleDouble>;
 
 constexpr double kU = DoubleDouble::kRoundoff;
-constexpr double kRounding = 1 + 0x1p-40;  // of the bounds
+
+// ---- Constants of the bounds, in units of kU (src/flow/cascades.md, "Coordinates in doubles") ----
+
+constexpr double kSquareBound = 5;              // of the square of an offset: three squares and two sums
+constexpr double kEdgeBound = 6;                // the same of an edge whose vector is rounded
+constexpr double kCircleNumeratorBound = 24;    // 21, times |a|^2 |b|^2 (|a|+|b|)
+constexpr double kCircleDenominatorBound = 36;  // 29, times |a|^2 |b|^2
+constexpr double kSphereNumeratorBound = 16;    // 13.8, times |a||b||c| (|a|+|b|+|c|)
+constexpr double kSphereDenominatorBound = 24;  // 19.6, times |a||b||c|
+
+// Vectors are exact, so a square has an error of at most 4 u of itself. That makes 15 u of the numerator, |a|^2 |b|^2
+// |b-a|^2, and three times as much of the quotient, because its denominator may be a third of what is computed. The
+// denominator is twice that of the centre.
+constexpr double kSquaredCircleBound = 48;
+constexpr double kSquaredCircleDenominatorBound = 72;
+// A relative error e of a numerator or a denominator makes one of less than kSquareShare e in the square, for errors
+// below kLargestError. Two squares and a division add 9 u.
+constexpr double kSquareShare = 2.001;
+constexpr double kLargestError = 0x1p-20;
+constexpr double kSquaredSphereBound = 16;
+
+// Lengths between these have powers that are normal doubles, so that underflow is far below the bounds.
+constexpr double kLeastLength = 1e-25, kGreatestLength = 1e25;
 
 DoubledVector vector_from(const Point& from, const Point& to) {
   return {DoubleDouble::sum(to.x, -from.x), DoubleDouble::sum(to.y, -from.y), DoubleDouble::sum(to.z, -from.z)};
@@ -24,19 +46,18 @@ DoubledVector vector_from(const Point& from, const Point& to) {
 
 double length(const DoubledVector& v) { return std::sqrt(dot(v, v).high()); }
 
-// Then no term here leaves the doubles, and underflow is far below the bounds.
-bool is_in_range(double length) { return length >= 1e-25 && length <= 1e25; }
+bool is_in_range(double length) { return length >= kLeastLength && length <= kGreatestLength; }
 
 // The sphere whose centre is `first` + offset. The offset has an error of at most `error`.
 BoundedSphere sphere_around(const Point& first, const DoubledVector& offset, double error) {
   const DoubleDouble square = dot(offset, offset);
-  const double size = std::sqrt(square.high()) * kRounding;
+  const double size = std::sqrt(square.high()) * kBoundedSlack;
   const auto coordinate = [&](double start, const DoubleDouble& step) {
     const DoubleDouble value = DoubleDouble(start) + step;
-    return BoundedNumber{value, (error + kU * std::fabs(value.high())) * kRounding};
+    return BoundedNumber{value, (error + kU * std::fabs(value.high())) * kBoundedSlack};
   };
   return {{coordinate(first.x, offset.x), coordinate(first.y, offset.y), coordinate(first.z, offset.z)},
-          {square, (5 * kU * square.high() + error * (2 * size + error)) * kRounding}};
+          {square, (kSquareBound * kU * square.high() + error * (2 * size + error)) * kBoundedSlack}};
 }
 
 BoundedSphere sphere_of_point(const Point& p) { return {{{{p.x, 0}, {p.y, 0}, {p.z, 0}}}, {0, 0}}; }
@@ -51,7 +72,7 @@ BoundedSphere sphere_of_edge(const Point& p, const Point& q) {
   const DoubledVector e = vector_from(p, q);
   if (is_in_range(length(e))) {
     const DoubleDouble quarter = DoubleDouble(0.25) * dot(e, e);
-    sphere.squared_radius = {quarter, 6 * kU * quarter.high()};
+    sphere.squared_radius = {quarter, kEdgeBound * kU * quarter.high()};
   }
   return sphere;
 }
@@ -66,13 +87,13 @@ struct Quotient {
 
 // |N'/D' - N/D| <= (|N'-N| + |N'/D'| |D'-D|) / |D|, and a division adds one roundoff.
 BoundedSphere sphere_of_quotient(const Point& first, const Quotient& center) {
-  const double least = std::fabs(center.denominator.high()) * (1 - 0x1p-40) - center.denominator_error;
+  const double least = std::fabs(center.denominator.high()) * (1 - kBoundedShare) - center.denominator_error;
   if (!(least > center.denominator_error)) return {};
   const auto& n = center.numerator;
   const DoubledVector offset{n.x / center.denominator, n.y / center.denominator, n.z / center.denominator};
-  const double size = length(offset) * kRounding;
+  const double size = length(offset) * kBoundedSlack;
   const double error = (center.numerator_error + size * center.denominator_error) / least + kU * size;
-  return sphere_around(first, offset, error * kRounding);
+  return sphere_around(first, offset, error * kBoundedSlack);
 }
 
 // (|a|^2 b - |b|^2 a) x n / (2 |n|^2) with n = a x b.
@@ -81,8 +102,8 @@ BoundedSphere sphere_of_circle(const Point& p, const Point& q, const Point& r) {
   const double na = length(a), nb = length(b), square = na * na * nb * nb;
   if (!is_in_range(std::min(na, nb)) || !is_in_range(std::max(na, nb))) return {};
   const DoubledVector numerator = cross(DoubleDouble(dot(a, a)) * b - DoubleDouble(dot(b, b)) * a, n);
-  return sphere_of_quotient(p,
-                            {numerator, 24 * kU * square * (na + nb), DoubleDouble(2) * dot(n, n), 36 * kU * square});
+  return sphere_of_quotient(p, {numerator, kCircleNumeratorBound * kU * square * (na + nb), DoubleDouble(2) * dot(n, n),
+                                kCircleDenominatorBound * kU * square});
 }
 
 BoundedSphere sphere_of_tetrahedron(const std::array<const Point*, 4>& p) {
@@ -90,8 +111,8 @@ BoundedSphere sphere_of_tetrahedron(const std::array<const Point*, 4>& p) {
   const double na = length(a), nb = length(b), nc = length(c), product = na * nb * nc;
   if (!is_in_range(std::min({na, nb, nc})) || !is_in_range(std::max({na, nb, nc}))) return {};
   const Circumsphere<DoubleDouble> sphere = circumsphere(a, b, c);
-  return sphere_of_quotient(*p[0], {sphere.numerator, 16 * kU * product * (na + nb + nc),
-                                    DoubleDouble(2) * sphere.determinant, 24 * kU * product});
+  return sphere_of_quotient(*p[0], {sphere.numerator, kSphereNumeratorBound * kU * product * (na + nb + nc),
+                                    DoubleDouble(2) * sphere.determinant, kSphereDenominatorBound * kU * product});
 }
 
 }  // namespace
@@ -115,9 +136,8 @@ BoundedSphere bounded_sphere(std::span<const Point* const> points) {
 
 namespace {
 
-// |a|^2 |b|^2 |b-a|^2 / (4 |n|^2) with n = a x b. Vectors are exact, so a square has an error of at most 4 u of itself,
-// and the numerator one of 15 u. If the denominator is D' instead of D, the quotient changes by |D'-D|/|D| of itself.
-// D' is at most 3 D, and so what is rounded before the division is at most three times as much behind it.
+// |a|^2 |b|^2 |b-a|^2 / (4 |n|^2) with n = a x b. If the denominator is D' instead of D, the quotient changes by
+// |D'-D|/|D| of itself. D' is at most 3 D.
 BoundedNumber squared_radius_of_circle(const Point& p, const Point& q, const Point& r) {
   const DoubledVector a = vector_from(p, q), b = vector_from(p, r), n = cross(a, b);
   const DoubleDouble aa = dot(a, a), bb = dot(b, b);
@@ -125,15 +145,14 @@ BoundedNumber squared_radius_of_circle(const Point& p, const Point& q, const Poi
   if (!is_in_range(std::min(na, nb)) || !is_in_range(std::max(na, nb))) return {};
   const DoubledVector c = vector_from(q, r);
   const DoubleDouble denominator = DoubleDouble(4) * dot(n, n);
-  const double denominator_error = 72 * kU * aa.high() * bb.high() * kRounding;
-  const double least = denominator.high() * (1 - 0x1p-40) - denominator_error;
+  const double denominator_error = kSquaredCircleDenominatorBound * kU * aa.high() * bb.high() * kBoundedSlack;
+  const double least = denominator.high() * (1 - kBoundedShare) - denominator_error;
   if (!(least > denominator_error)) return {};
   const DoubleDouble value = aa * bb * dot(c, c) / denominator;
-  return {value, value.high() * (48 * kU + denominator_error / least) * kRounding};
+  return {value, value.high() * (kSquaredCircleBound * kU + denominator_error / least) * kBoundedSlack};
 }
 
-// |N|^2 / (2 D)^2. A relative error e of N or D makes one of 2 e in the square, and of less than 2.001 e for the errors
-// that are let through. Two squares and a division add 9 u.
+// |N|^2 / (2 D)^2.
 BoundedNumber squared_radius_of_tetrahedron(const std::array<const Point*, 4>& p) {
   const DoubledVector a = vector_from(*p[0], *p[1]), b = vector_from(*p[0], *p[2]), c = vector_from(*p[0], *p[3]);
   const double na = length(a), nb = length(b), nc = length(c), product = na * nb * nc;
@@ -141,10 +160,11 @@ BoundedNumber squared_radius_of_tetrahedron(const std::array<const Point*, 4>& p
   const Circumsphere<DoubleDouble> sphere = circumsphere(a, b, c);
   const DoubleDouble square = dot(sphere.numerator, sphere.numerator), twice = DoubleDouble(2) * sphere.determinant;
   const double size = std::sqrt(square.high());
-  const double error = 16 * kU * product * (na + nb + nc) / size + 24 * kU * product / std::fabs(twice.high());
-  if (!(error < 0x1p-20)) return {};
+  const double error = kSphereNumeratorBound * kU * product * (na + nb + nc) / size +
+                       kSphereDenominatorBound * kU * product / std::fabs(twice.high());
+  if (!(error < kLargestError)) return {};
   const DoubleDouble value = square / (twice * twice);
-  return {value, value.high() * (2.001 * error + 16 * kU) * kRounding};
+  return {value, value.high() * (kSquareShare * error + kSquaredSphereBound * kU) * kBoundedSlack};
 }
 
 // The points of the contact set that determine its sphere, as many as there are; nothing where it has too few.

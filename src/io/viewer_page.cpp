@@ -171,7 +171,8 @@ class LineForest {
   // The positions are multiples of this. A large forest has larger steps, which are still less than a pixel.
   [[nodiscard]] double step() const {
     constexpr std::size_t kLarge = 200000;
-    return next_.size() > kLarge ? 0x1p-13 : 0x1p-20;
+    constexpr double kSmallStep = 0x1p-20, kLargeStep = 0x1p-13;
+    return next_.size() > kLarge ? kLargeStep : kSmallStep;
   }
 
   // From the next vertex of each, or the origin, as numbers of steps. Even numbers stand for steps ahead, odd ones for

@@ -14,6 +14,7 @@ using Kind = DivisionPoint::Kind;
 
 using geometry::doubled;
 
+// Every term here is a sum of products of at most five differences: fewer than 64 roundings of the product of the sizes.
 constexpr double kShare = 64 * DoubleDouble::kRoundoff;
 constexpr double kUnderflow = geometry::kBoundedUnderflow;
 

@@ -197,7 +197,7 @@ std::optional<BoundedVector> FlowLocator::Map::offset(VertexIndex from, const Ra
     const double low = nearest_double(in_units - Rational(*high)).value_or(0);
     const BoundedNumber to_high{DoubleDouble::sum(*high, -std::ldexp(origin, -divisions->unit())),
                                 geometry::kBoundedUnderflow};
-    return to_high + BoundedNumber{low, std::fabs(low) * 0x1p-52 + geometry::kBoundedUnderflow};
+    return to_high + BoundedNumber{low, std::fabs(low) * geometry::kRoundingShare + geometry::kBoundedUnderflow};
   };
   const BoundedVector all{from_origin(x[0], p.x), from_origin(x[1], p.y), from_origin(x[2], p.z)};
   return is_finite ? std::optional(all) : std::nullopt;

@@ -77,8 +77,9 @@ class PocketMerging {
     const auto record = trees_.record_of(highest);
     const auto [length, inexact] = trees_.squared_distances().length(saddle, record);
     // The root's rounding is within this share of it, or comes from a square below the doubles.
+    constexpr double kLeastRoot = 0x1p-500;
     const double bound = std::sqrt(persistence_.square.convert_to<double>());
-    const double error = inexact + kRoundingShare * bound + 0x1p-500;
+    const double error = inexact + kRoundingShare * bound + kLeastRoot;
     if (std::isfinite(bound) && length + error < bound) return true;
     if (length - error > bound) return false;
     const auto exact = [this](std::size_t at) { return trees_.squared_distances().exact(at); };

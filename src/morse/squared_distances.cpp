@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "flowcert/sphere.h"
+#include "geometry/bounded_number.h"
 #include "geometry/congruence_key.h"
 #include "geometry/filter_bounds.h"
 #include "geometry/floating_point.h"
@@ -30,8 +31,21 @@ namespace {
 using Approximation = SquaredDistances::Approximation;
 using RoundedVector = Vector3<double>;
 
+// ---- Constants of the bounds, in units of kUnitRoundoff ----
+
+constexpr double kEdgeBound = 8;  // |a|^2 / 4: a square has 5.1
+// |a|^2 |b|^2 |b-a|^2 / (4 |a x b|^2). The cross product has an error of 5.7 u |a||b|, so its square has a relative one
+// of 12 u S with S = |a||b| / |a x b|, and of a few u more. The three squares and the operations add 24 u. Times S.
+constexpr double kCircleBound = 40;
+// The circumsphere's numerator has an error of 13.8 u T, and its determinant one of 9.8 u |a||b||c|.
+constexpr double kNumeratorBound = 14, kDeterminantBound = 10;
+// The relative error of a square is twice that of the number, and somewhat more. The operations add less than 16 u.
+constexpr double kSquareShare = 2.5, kQuotientBound = 16;
+
 // A value that is known less well than this is computed exactly.
 constexpr double kLargestError = 0x1p-20;
+// Squares of degree 8 and 6 in lengths may leave the range of doubles where the lengths do not.
+constexpr double kLeastSquare = 1e-280, kGreatestSquare = 1e300;
 
 std::optional<Approximation> with_relative_error(double value, double error) {
   if (!(error < kLargestError)) return std::nullopt;
@@ -40,15 +54,14 @@ std::optional<Approximation> with_relative_error(double value, double error) {
 
 bool is_in_range(double norm) { return norm >= kSmallestNorm && norm <= kLargestNorm; }
 
-// |a|^2 / 4. A square has a relative error of at most 5.1 u.
+// |a|^2 / 4.
 std::optional<Approximation> of_edge(const RoundedVector& a) {
   const double square = dot(a, a);
   if (!is_in_range(std::sqrt(square))) return std::nullopt;
-  return with_relative_error(square / 4, 8 * kUnitRoundoff);
+  return with_relative_error(square / 4, kEdgeBound * kUnitRoundoff);
 }
 
-// |a|^2 |b|^2 |b-a|^2 / (4 |a x b|^2). The cross product has an error of 5.7 u |a||b|, so its square has a relative
-// one of 12 u S with S = |a||b| / |a x b|, and of a few u more. The three squares and the operations add 24 u.
+// |a|^2 |b|^2 |b-a|^2 / (4 |a x b|^2).
 std::optional<Approximation> of_circle(const RoundedVector& a, const RoundedVector& b, const RoundedVector& c) {
   const double aa = dot(a, a), bb = dot(b, b), cc = dot(c, c);
   if (!is_in_range(std::sqrt(std::min({aa, bb, cc}))) || !is_in_range(std::sqrt(std::max({aa, bb, cc})))) {
@@ -56,21 +69,23 @@ std::optional<Approximation> of_circle(const RoundedVector& a, const RoundedVect
   }
   const RoundedVector n = cross(a, b);
   const double nn = dot(n, n);
-  return with_relative_error(aa * bb * cc / (4 * nn), 40 * kUnitRoundoff * std::sqrt(aa * bb / nn));
+  return with_relative_error(aa * bb * cc / (4 * nn), kCircleBound * kUnitRoundoff * std::sqrt(aa * bb / nn));
 }
 
-// |N|^2 / (4 det^2), with the circumsphere's numerator N (error 13.8 u T) and determinant (9.8 u |a||b||c|).
+// |N|^2 / (4 det^2), with the circumsphere's numerator N and determinant.
 std::optional<Approximation> of_sphere(const RoundedVector& a, const RoundedVector& b, const RoundedVector& c) {
   const double na = std::sqrt(dot(a, a)), nb = std::sqrt(dot(b, b)), nc = std::sqrt(dot(c, c));
   if (!is_in_range(std::min({na, nb, nc})) || !is_in_range(std::max({na, nb, nc}))) return std::nullopt;
   const auto sphere = circumsphere(a, b, c);
   const double product = na * nb * nc, square = dot(sphere.numerator, sphere.numerator);
   const double determinant = std::fabs(sphere.determinant);
-  // Squares of degree 8 and 6 in lengths may leave the range of doubles where the lengths do not.
-  constexpr double kLeast = 1e-280, kMost = 1e300;
-  if (!(square > kLeast && square < kMost && determinant * determinant > kLeast)) return std::nullopt;
-  const double error = 14 * product * (na + nb + nc) / std::sqrt(square) + 10 * product / determinant;
-  return with_relative_error(square / (4 * determinant * determinant), (2.5 * error + 16) * kUnitRoundoff);
+  if (!(square > kLeastSquare && square < kGreatestSquare && determinant * determinant > kLeastSquare)) {
+    return std::nullopt;
+  }
+  const double error =
+      kNumeratorBound * product * (na + nb + nc) / std::sqrt(square) + kDeterminantBound * product / determinant;
+  return with_relative_error(square / (4 * determinant * determinant),
+                             (kSquareShare * error + kQuotientBound) * kUnitRoundoff);
 }
 
 // Any three points of a circle determine it, and any four of a sphere that are not coplanar.
@@ -100,6 +115,11 @@ Approximation rounded(const Rational& value) {
 
 ValueRange range_of(const Approximation& value) { return range_around(value.value, value.error); }
 
+// A float is rounded by 2^-24 of itself.
+constexpr double kFloatSlack = 1 + 0x1p-20;
+// Products above this are normal doubles.
+constexpr double kLeastLowEnd = 1e-290;
+
 // Sorted and compared without a look at the value itself, which lies elsewhere.
 struct KeyedRecord {
   std::uint64_t key = 0;  // the lower end of its range: doubles that are not negative ascend as their bits do
@@ -110,14 +130,14 @@ struct KeyedRecord {
   KeyedRecord(const Approximation& value, std::uint32_t number) : record(number) {
     const ValueRange range = range_of(value);
     key = std::bit_cast<std::uint64_t>(range.low);
-    // The quotient and the difference are rounded by less than the products add. A float is rounded by 2^-25.
-    width = static_cast<float>((range.high / range.low * (1 + kRoundingShare) - 1) * (1 + 0x1p-20));
+    // The quotient and the difference are rounded by less than the products add.
+    width = static_cast<float>((range.high / range.low * (1 + kRoundingShare) - 1) * kFloatSlack);
   }
   // Nothing is known of the upper end where the products leave the doubles.
   [[nodiscard]] ValueRange range() const {
     const auto low = std::bit_cast<double>(key);
     const double high = low * (1.0 + static_cast<double>(width)) * (1 + kRoundingShare);
-    return {low, std::isfinite(high) && low > 1e-290 ? high : HUGE_VAL};
+    return {low, std::isfinite(high) && low > kLeastLowEnd ? high : HUGE_VAL};
   }
 };
 
@@ -209,7 +229,8 @@ namespace {
 
 // Nothing where the bounds overlap. The difference is rounded.
 std::optional<std::strong_ordering> order_by_bounds(const Approximation& one, const Approximation& other) {
-  const double all_errors = one.error + other.error + kRoundingShare * (one.value + std::fabs(other.value)) + 0x1p-1000;
+  const double all_errors =
+      one.error + other.error + kRoundingShare * (one.value + std::fabs(other.value)) + geometry::kBoundedUnderflow;
   if (one.value - other.value > all_errors) return std::strong_ordering::greater;
   if (other.value - one.value > all_errors) return std::strong_ordering::less;
   return std::nullopt;

@@ -202,8 +202,10 @@ std::optional<double> StableVolumes::Parts::rounded(const BoundedDivisions& divi
 std::optional<double> StableVolumes::Parts::rounded_sixth(const BoundedDivisions& divisions_,
                                                           const BoundedNumber& sum) {
   const DoubleDouble sixth = sum.value / DoubleDouble(6);
-  const double rounding = 2 * DoubleDouble::kRoundoff * std::fabs(sixth.high());
-  const auto in_units = decided_double({sixth, (sum.error / 6 + rounding) * (1 + 0x1p-40)});
+  // The division has one roundoff.
+  constexpr double kSixthBound = 2 * DoubleDouble::kRoundoff;
+  const double rounding = kSixthBound * std::fabs(sixth.high());
+  const auto in_units = decided_double({sixth, (sum.error / 6 + rounding) * geometry::kBoundedSlack});
   if (!in_units) return std::nullopt;
   const double volume = std::ldexp(*in_units, 3 * divisions_.unit());
   const bool is_normal = std::isnormal(volume) && std::ldexp(volume, -3 * divisions_.unit()) == *in_units;

@@ -16,6 +16,12 @@ namespace {
 
 // A little less than 2^-40, for the roundings of the error itself.
 constexpr double kShare = 0x1p-40 * (1 - 0x1p-10);
+// A corner is rounded by at most 2^-53 of each coordinate, and its distance to the sample by 2^-52 of itself.
+constexpr double kCornerShare = 0x1p-52;
+// The cross product, its length and the sum are rounded by less than 8 units of the product of both lengths.
+constexpr double kNormalShare = 0x1p-49;
+// Squares of small or large numbers leave the range of doubles.
+constexpr double kLeastArea = 1e-140, kGreatestArea = 1e140;
 
 // Nothing if the bound is too large, or something is out of the range of doubles.
 std::optional<double> rounded_area(const PointSet& points, const RoundedSegments& rounded) {
@@ -30,12 +36,10 @@ std::optional<double> rounded_area(const PointSet& points, const RoundedSegments
     const double length_u = std::sqrt(dot(u, u)), length_v = std::sqrt(dot(v, v));
     const Vector3<double> normal = cross(u, v);
     sum += std::sqrt(dot(normal, normal));
-    // A corner is rounded by at most 2^-53 of each coordinate, and its distance to the sample by 2^-52 of itself.
-    const double of_corner = 0x1p-52 * greatest;
-    error += of_corner * (length_u + length_v + of_corner) + 0x1p-49 * length_u * length_v;
+    const double of_corner = kCornerShare * greatest;
+    error += of_corner * (length_u + length_v + of_corner) + kNormalShare * length_u * length_v;
   }
-  // Squares of small numbers leave the range of doubles.
-  const bool is_decided = error < kShare * sum && sum > 1e-140 && sum < 1e140;
+  const bool is_decided = error < kShare * sum && sum > kLeastArea && sum < kGreatestArea;
   return is_decided ? std::optional(sum) : std::nullopt;
 }
 

@@ -16,7 +16,16 @@ namespace flowcert::flow {
 using geometry::BoundedNumber;
 using geometry::BoundedSphere;
 
-// As doubled doubles. What lies below these is less than two of their roundoffs.
+// ---- Constants of the bounds, in units of the roundoff (src/flow/cascades.md, "Coordinates in doubles") ----
+
+inline constexpr double kCutBound = 4;             // of what lies below doubled doubles: 2
+inline constexpr double kCoordinateBound = 2;      // the midpoint and the sum, times their sizes
+inline constexpr double kCrossingSquareBound = 8;  // 7.1, of the squared distance
+// An error E of the way from the midpoint adds this times E times its length to the squared distance, and E^2: 2, with
+// the rounding of the bound.
+inline constexpr double kCrossingSquareShare = 2.5;
+
+// As doubled doubles.
 [[nodiscard]] inline const DoubleDouble& in_doubled(const DoubleDouble& value) { return value; }
 [[nodiscard]] inline DoubleDouble in_doubled(const Extended& value) {
   const auto high = static_cast<double>(value);
@@ -27,8 +36,8 @@ using geometry::BoundedSphere;
 template <class Number>
 [[nodiscard]] BoundedNumber bounded(const Number& value, const Number& error) {
   const DoubleDouble doubled = in_doubled(value);
-  const double reach = in_doubled(error).high() + 4 * DoubleDouble::kRoundoff * std::fabs(doubled.high());
-  return {doubled, reach * (1 + 0x1p-40) + 4 * std::numeric_limits<double>::denorm_min()};
+  const double reach = in_doubled(error).high() + kCutBound * DoubleDouble::kRoundoff * std::fabs(doubled.high());
+  return {doubled, reach * geometry::kBoundedSlack + 4 * std::numeric_limits<double>::denorm_min()};
 }
 
 // The direction is seen from the midpoint m of the facet that is left by the bisector of q. The point is
@@ -50,12 +59,13 @@ template <class Number>
   const Vector3<Number> step = Number(seen.h / approach) * x.u;
   const auto coordinate = [&](double one, double other, const Number& part) {
     const Number middle = Number(one / 2) + Number(other / 2), value = middle + part;
-    return bounded<Number>(value, error + Number(2) * roundoff * (abs(middle) + abs(value)));
+    return bounded<Number>(value, error + Number(kCoordinateBound) * roundoff * (abs(middle) + abs(value)));
   };
   const auto [p0, p1] = facet;
   const Vector3<Number> e = difference<Number>(*p0, *p1);
   const Number from_middle = dot(step, step), square = Number(0.25) * Number(dot(e, e)) + from_middle;
-  const Number square_error = Number(8) * roundoff * square + error * (Number(2.5) * Number(sqrt(from_middle)) + error);
+  const Number square_error = Number(kCrossingSquareBound) * roundoff * square +
+                              error * (Number(kCrossingSquareShare) * Number(sqrt(from_middle)) + error);
   return {{coordinate(p0->x, p1->x, step.x), coordinate(p0->y, p1->y, step.y), coordinate(p0->z, p1->z, step.z)},
           bounded<Number>(square, square_error)};
 }
