@@ -62,7 +62,8 @@ Proof.
     split; [|split]; eapply reaches_no_more; eauto.
 Qed.
 
-Lemma on_grid_right : forall g d, (mantissa d = 0%Z \/ (g <= exponent d)%Z) -> value d = (unit_of g * IZR (on_grid g d))%R.
+Lemma on_grid_right : forall g d, (mantissa d = 0%Z \/ (g <= exponent d)%Z) ->
+  value d = (unit_of g * IZR (on_grid g d))%R.
 Proof.
   intros g d H. unfold value, on_grid. fold (unit_of (exponent d)). destruct (Z.eqb_spec (mantissa d) 0) as [E|E].
   - rewrite E. ring.
