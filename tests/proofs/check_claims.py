@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Lets the judge of spec/proofs/ say which records of a list are proved: check_claims.py JUDGE POINTS CLAIMS.
+"""Lets the judge of spec/proofs/ say which records of a list are proved: check_claims.py BUILD POINTS CLAIMS.
 
+The judge is built in BUILD/proofs/ if it is not there.
 The points are a table of numbers in the XYZ format, or an OBJ file; the claims are what `flowcert compute -o` writes, or
 another claim that names contact sets (spec/formats/claims.md), with exact positions and squared distances or none.
 Proved is each record for itself: not that none is missing, and nothing of the header, of doubles or of orbits.
@@ -19,6 +20,7 @@ sys.dont_write_bytecode = True
 ROOT = Path(__file__).resolve().parents[2]
 sys.path += [str(ROOT / "spec"), str(ROOT / "tests" / "conformance")]
 import weights
+from judge_program import built_judge
 from read_claim import Unreadable, decompressed, read_claim
 from stationary_points_from_spec import read_points
 
@@ -83,10 +85,7 @@ def record_line(point, found):
 
 
 def found_for(point, rows):
-    """Weights and a form, or such as are surely refused."""
-    center = [value for value, _ in point.center] if point.center else None
-    found = weights.certificate([rows[k] for k in point.contact], center, point.index if point.hull else None)
-    return found or ([0] * len(point.contact), (0, 0, 0))
+    return weights.certificate([rows[k] for k in point.contact], point.index if point.hull else None)
 
 
 def verdicts(judge, rows, lines):
@@ -114,8 +113,9 @@ def judged(judge, rows, points):
 
 
 def options_of():
-    parser = argparse.ArgumentParser(prog="./dev proofs --check", description=__doc__.partition(":")[0] + ".")
-    parser.add_argument("judge", help=argparse.SUPPRESS)
+    parser = argparse.ArgumentParser(prog="./dev proofs --check", usage="%(prog)s POINTS CLAIMS [--sample N] [--seed S]",
+                                     description=__doc__.partition(":")[0] + ".")
+    parser.add_argument("build", help=argparse.SUPPRESS)
     parser.add_argument("points", metavar="POINTS", help="point file: rows of three numbers, or OBJ")
     parser.add_argument("claims", metavar="CLAIMS", help="what flowcert compute -o wrote for it, or another claim")
     parser.add_argument("--sample", type=int, metavar="N", help="draw so many records; all, without this")
@@ -126,16 +126,25 @@ def options_of():
     return options
 
 
+def unusable(reason):
+    print(f"./dev proofs: {reason}", file=sys.stderr)
+    return 2
+
+
 def main():
     options = options_of()
     try:
         rows = rows_of(decompressed(Path(options.points).read_bytes()).decode())
         data = decompressed(Path(options.claims).read_bytes())
         points = read_claim(sampled(data, options.sample, options.seed) if options.sample else data, len(rows)).points
-    except (OSError, ValueError, OverflowError, Unreadable) as error:
-        print(f"./dev proofs: {error}", file=sys.stderr)
-        return 2
-    said = judged(options.judge, rows, points)
+        judge = built_judge(options.build)
+    except OSError as error:
+        return unusable(f"{error.filename}: {error.strerror}")
+    except subprocess.CalledProcessError as error:
+        return unusable(f"the judge does not build: {error.stdout}")
+    except (ValueError, OverflowError, Unreadable) as error:
+        return unusable(error)
+    said = judged(judge, rows, points)
     failed = [(point.line, why) for point, why in zip(points, said) if why != "proved"]
     for line, why in failed:
         print(f"not proved: line {line}: {why}")

@@ -41,21 +41,18 @@ def reduced(numbers):
 
 
 def center_of(points):
-    """The center of the smallest sphere through points, within their affine hull; wrong where there is none."""
-    normals = []
+    """The center of the smallest sphere through points, or some other place where none goes through them."""
+    found = []  # differences, and of each its part that is orthogonal to those before it
     for v in (minus(p, points[0]) for p in points[1:]):
-        left = v
-        for n in normals:
-            left = minus(left, times(Fraction(dot(v, n)) / dot(n, n), n))
-        if any(left):
-            normals.append(left)
-    center = points[0]
-    for n in normals:  # along each normal to the plane that halves the way to a point that has a part along it
-        p = next(p for p in points if dot(minus(p, points[0]), n) and all(
-            not dot(minus(p, points[0]), later) for later in normals[normals.index(n) + 1:]))
-        v, moved = minus(p, points[0]), minus(center, points[0])
-        center = plus(center, times((Fraction(dot(v, v)) / 2 - dot(v, moved)) / dot(v, n), n))
-    return center
+        normal = v
+        for _, n in found:
+            normal = minus(normal, times(Fraction(dot(v, n)) / dot(n, n), n))
+        if any(normal):
+            found.append((v, normal))
+    center = (0, 0, 0)
+    for v, n in found:  # along each normal to the plane that halves v
+        center = plus(center, times((Fraction(dot(v, v)) / 2 - dot(v, center)) / dot(v, n), n))
+    return plus(points[0], center)
 
 
 # ---- Weights
@@ -136,9 +133,7 @@ def form_at_polygon(vectors):
     return None
 
 
-def certificate(points, center, face_dimension):
-    """Weights and a form; the dimension of the face is None for a critical point. None where none are found."""
-    vectors = in_integers([minus(p, center if center else center_of(points)) for p in points])
+def certificate_at_face(vectors, face_dimension):
     form = (0, 0, 0)
     if face_dimension is not None:
         form = (form_at_edge if face_dimension == 1 else form_at_polygon)(vectors)
@@ -150,3 +145,16 @@ def certificate(points, center, face_dimension):
         return None
     left = iter(found)
     return [next(left) if on else 0 for on in on_face], tuple(reduced(form))
+
+
+def certificate(points, face_dimension):
+    """Weights and a form for a contact set, or such as are surely refused.
+
+    The dimension of the face is None for a critical point. If it is another one, the certificate shows that.
+    """
+    center = center_of(points)
+    vectors = in_integers([minus(p, center) for p in points])
+    for dimension in [face_dimension, *({None, 1, 2} - {face_dimension})]:
+        if found := certificate_at_face(vectors, dimension):
+            return found
+    return [0] * len(points), (0, 0, 0)
