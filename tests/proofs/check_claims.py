@@ -2,8 +2,8 @@
 """Lets the judge of spec/proofs/ say which records of a list are proved: check_claims.py BUILD POINTS CLAIMS.
 
 The judge is built in BUILD/proofs/ if it is not there.
-The points are a table of numbers in the XYZ format, or an OBJ file; the claims are what `flowcert compute -o` writes, or
-another claim that names contact sets (spec/formats/claims.md), with exact positions and squared distances or none.
+The points are a table of three columns, or an OBJ file. The claims are what `flowcert compute -o` writes, or another
+claim that names contact sets (spec/formats/claims.md), with exact positions and squared distances or none.
 Proved is each record for itself: not that none is missing, and nothing of the header, of doubles or of orbits.
 What has to be trusted is how this reads: from text to doubles, and from lines to records. weights.py is not trusted.
 Exit status: 0 if all records are proved, 1 if some are not, 2 for what cannot be used.
@@ -113,8 +113,8 @@ def judged(judge, rows, points):
 
 
 def options_of():
-    parser = argparse.ArgumentParser(prog="./dev proofs --check", usage="%(prog)s POINTS CLAIMS [--sample N] [--seed S]",
-                                     description=__doc__.partition(":")[0] + ".")
+    parser = argparse.ArgumentParser(prog="./dev proofs --check", description=__doc__.partition(":")[0] + ".",
+                                     usage="%(prog)s POINTS CLAIMS [--sample N] [--seed S]")
     parser.add_argument("build", help=argparse.SUPPRESS)
     parser.add_argument("points", metavar="POINTS", help="point file: rows of three numbers, or OBJ")
     parser.add_argument("claims", metavar="CLAIMS", help="what flowcert compute -o wrote for it, or another claim")
