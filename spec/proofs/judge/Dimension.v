@@ -1,7 +1,7 @@
 (* Points of a grid as vectors of R^3, and the dimension of their affine hull, which the judge computes by products of
    integers: Judge.zrank is right, and so is it for points that are scaled by the grid's unit. *)
 From Coq Require Import Reals ZArith Lra Lia List Bool.
-From Flowcert Require Import algebra.Vector3 spec.Hull spec.StationaryPoint judge.Judge.
+From Flowcert Require Import algebra.Vector3 spec.Hull spec.CriticalPoint spec.StationaryPoint judge.Judge.
 Import ListNotations.
 
 Definition emb (p : zvec) : vec := V (IZR (zx p)) (IZR (zy p)) (IZR (zz p)).

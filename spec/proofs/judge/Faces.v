@@ -1,7 +1,7 @@
 (* Weights and a linear form that the judge accepts tell the kind of a stationary point: where the form is least on the
    contact set, there is a face of its hull, and the weights put the point in the relative interior of that face. *)
 From Coq Require Import Reals ZArith Lra Lia List Bool.
-From Flowcert Require Import algebra.Vector3 spec.Hull spec.StationaryPoint judge.Judge judge.Dimension.
+From Flowcert Require Import algebra.Vector3 spec.Hull spec.CriticalPoint spec.StationaryPoint judge.Judge judge.Dimension.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -130,7 +130,7 @@ Qed.
 
 Lemma supported_face : forall l,
   (forall a, In a l -> h <= dot n (at_point a) /\ (on a = true <-> dot n (at_point a) = h)) ->
-  face (map at_point l) (map at_point (filter on l)).
+  hull_face (map at_point l) (map at_point (filter on l)).
 Proof.
   intros l HC. exists n, h. split.
   - intros y [w [L [P [S E]]]]. rewrite <- E, <- (Rmult_1_r h), <- S. apply least_of_combination; auto.

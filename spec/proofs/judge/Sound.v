@@ -143,7 +143,7 @@ Proof.
       rewrite <- J4. apply (map_nth_error (fun p => scaled s (at_grid p))); auto.
 Qed.
 
-Lemma scanned_contact_set : forall C, pick P 0 K = Some C -> contact_set all x K (map (scaled s) C).
+Lemma scanned_contact_names : forall C, pick P 0 K = Some C -> contact_names all x K (map (scaled s) C).
 Proof.
   intros C HC. destruct (scan_spec _ _ _ _ _ _ _ scanned) as [Sorted _].
   split; auto. split; [apply named_iff_nearest|]. apply pick_spec in HC. revert HC.
@@ -178,7 +178,7 @@ Proof.
   { intros p Hp. rewrite prepared_places in Hp. apply in_map_iff in Hp. destruct Hp as [r [<- _]]. reflexivity. }
   assert (Some_contact : claimed_contact q <> []).
   { intros E. rewrite E in HP. unfold C in HP. destruct (places (prepare rows)); discriminate. }
-  assert (Contact := scanned_contact_set s W c _ _ _ Hs W0 Lifts Heqb3 Some_contact C HP).
+  assert (Contact := scanned_contact_names s W c _ _ _ Hs W0 Lifts Heqb3 Some_contact C HP).
   rewrite prepared_points. fold s. exists (center_at s W c), (map (scaled s) C). split; [auto|]. split; [|split].
   - eapply kind_right; eauto; reflexivity.
   - apply center_right; auto.

@@ -2,7 +2,7 @@
    A row holds three numbers mantissa * 2^exponent, and doubles are such numbers. Its id is its place, from 0.
    Rows may be equal: the least id of equal rows is the name of their class. *)
 From Coq Require Import Reals ZArith List Sorted.
-From Flowcert Require Import algebra.Vector3 spec.Hull.
+From Flowcert Require Import algebra.Vector3 spec.Hull spec.CriticalPoint.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -12,33 +12,25 @@ Definition value d := IZR (mantissa d) * powerRZ 2 (exponent d).
 Definition row_point r := V (value (row_x r)) (value (row_y r)) (value (row_z r)).
 
 (* P is the points of the rows, in their order. *)
-Definition row_at (P : list vec) i p := (0 <= i)%Z /\ nth_error P (Z.to_nat i) = Some p.
-Definition class_name P i p := row_at P i p /\ forall j, row_at P j p -> (i <= j)%Z.
-Definition nearest (P : list vec) x p := In p P /\ forall q, In q P -> dist2 x p <= dist2 x q.
+Definition class_name P i p := point_at P i p /\ forall j, point_at P j p -> (i <= j)%Z.
+Definition nearest P x p := In p P /\ forall q, In q P -> dist2 x p <= dist2 x q.
 
 (* K is the names of C(x), ascending, and C the points that they name. *)
-Definition contact_set P x K C :=
+Definition contact_names P x K C :=
   StronglySorted Z.lt K /\
   (forall i, In i K <-> exists p, class_name P i p /\ nearest P x p) /\
   Forall2 (class_name P) K C.
 
-(* The dimension of aff C: a basis of k of the differences to one of its points. *)
-Definition independent B := forall c, length c = length B -> comb c B = vzero -> Forall (fun a => a = 0) c.
-Definition affine_dimension C k := exists p0 B,
-  In p0 C /\ length B = k /\ independent B /\
-  (forall b, In b B -> exists p, In p C /\ b = vsub p p0) /\
-  (forall p, In p C -> in_span B (vsub p p0)).
-
 (* conv F is a face of conv C: where a linear form is least on it. All of conv C is one, with the form 0. *)
-Definition face C F := exists n h,
+Definition hull_face C F := exists n h,
   (forall y, in_conv C y -> h <= dot n y) /\
   (forall y, in_conv F y <-> in_conv C y /\ dot n y = h).
 
-Definition stationary C x := in_conv C x.
-Definition critical C x k := in_relint C x /\ affine_dimension C k.
-Definition regular C x i j :=
-  stationary C x /\ ~ in_relint C x /\ affine_dimension C j /\
-  exists F, face C F /\ in_relint F x /\ affine_dimension F i.
+(* Of x with the contact set C: critical of index k, and regular of the kind (i, j). *)
+Definition has_index C x k := in_relint C x /\ affine_dimension C k.
+Definition has_regular_kind C x i j :=
+  in_conv C x /\ ~ in_relint C x /\ affine_dimension C j /\
+  exists F, hull_face C F /\ in_relint F x /\ affine_dimension F i.
 
 (* A record. Position and squared distance may be left out. *)
 Inductive kind := Critical (index : nat) | Regular (face_dimension hull_dimension : nat).
@@ -50,12 +42,12 @@ Record claim := Claim {
   claimed_squared_distance : option ratio }.
 
 Definition is_ratio a r := (0 < denominator a)%Z /\ IZR (numerator a) / IZR (denominator a) = r.
-Definition has_kind C x k := match k with Critical i => critical C x i | Regular i j => regular C x i j end.
+Definition has_kind C x k := match k with Critical i => has_index C x i | Regular i j => has_regular_kind C x i j end.
 Definition has_center x c :=
   match c with None => True | Some (a, b, c) => is_ratio a (vx x) /\ is_ratio b (vy x) /\ is_ratio c (vz x) end.
 Definition has_squared_distance P x d :=
   match d with None => True | Some a => forall p, nearest P x p -> is_ratio a (dist2 x p) end.
 
 Definition right P q := exists x C,
-  contact_set P x (claimed_contact q) C /\ has_kind C x (claimed_kind q) /\
+  contact_names P x (claimed_contact q) C /\ has_kind C x (claimed_kind q) /\
   has_center x (claimed_center q) /\ has_squared_distance P x (claimed_squared_distance q).
