@@ -3,7 +3,7 @@
 
 The judge is built in BUILD/proofs/ if it is not there.
 The points are a table of three columns, or an OBJ file. The claims are what `flowcert compute -o` writes, or another
-claim that names contact sets (spec/formats/claims.md), with exact positions and squared distances or none.
+claim that names contact sets (spec/formats/claims.md). A decimal is the number that it spells: there is no tolerance.
 Proved is each record for itself: not that none is missing, and nothing of the header, of doubles or of orbits.
 What has to be trusted is how this reads: from text to doubles, and from lines to records. weights.py is not trusted.
 Exit status: 0 if all records are proved, 1 if some are not, 2 for what cannot be used.
@@ -25,6 +25,7 @@ from read_claim import Unreadable, decompressed, read_claim
 from stationary_points_from_spec import read_points
 
 sys.set_int_max_str_digits(0)
+OTHER_NUMBERS = ("the center is another", "the squared distance is another")
 
 
 # ---- Reading
@@ -50,10 +51,11 @@ def unjudged(point):
     """Why the judge cannot say anything of a claimed point, or None."""
     if not point.contact:
         return "it names no contact set"
-    if point.distance:
-        return "its distance is not squared"
-    numbers = [*(point.center or []), *([point.squared] if point.squared else [])]
-    return None if all(exact for _, exact in numbers) else "it has decimals, which are not exact"
+    return "its distance is not squared" if point.distance else None
+
+
+def numbers_of(point):
+    return [*(point.center or []), *([point.squared] if point.squared else [])]
 
 
 # ---- What the judge reads and says
@@ -136,7 +138,9 @@ def main():
     try:
         rows = rows_of(decompressed(Path(options.points).read_bytes()).decode())
         data = decompressed(Path(options.claims).read_bytes())
-        points = read_claim(sampled(data, options.sample, options.seed) if options.sample else data, len(rows)).points
+        claim = read_claim(sampled(data, options.sample, options.seed) if options.sample else data, len(rows))
+        if claim.head.get("points", len(rows)) != len(rows):
+            return unusable(f"a list of {claim.head['points']:,} points, but {len(rows):,} points")
         judge = built_judge(options.build)
     except OSError as error:
         return unusable(f"{error.filename}: {error.strerror}")
@@ -144,14 +148,18 @@ def main():
         return unusable(f"the judge does not build: {error.stdout}")
     except (ValueError, OverflowError, Unreadable) as error:
         return unusable(error)
+    points = claim.points
     said = judged(judge, rows, points)
-    failed = [(point.line, why) for point, why in zip(points, said) if why != "proved"]
-    for line, why in failed:
-        print(f"not proved: line {line}: {why}")
+    failed = [(point, why) for point, why in zip(points, said) if why != "proved"]
+    for point, why in failed:
+        near = why in OTHER_NUMBERS and any(not exact for _, exact in numbers_of(point))
+        print(f"not proved: line {point.line}: {why}" + ", where decimals have no tolerance" * near)
     if failed:
         return 1
     regular = sum(point.hull is not None for point in points)
-    print(f"proved: {len(points) - regular:,} critical, {regular:,} regular points of {options.claims}")
+    placeless = sum(not point.center for point in points)
+    print(f"proved: {len(points) - regular:,} critical, {regular:,} regular points of {options.claims}"
+          + f"; of {placeless:,} it says no position" * bool(placeless))
     return 0
 
 
