@@ -149,7 +149,10 @@ def main():
     except (ValueError, OverflowError, Unreadable) as error:
         return unusable(error)
     points = claim.points
-    said = judged(judge, rows, points)
+    try:
+        said = judged(judge, rows, points)
+    except (BrokenPipeError, RuntimeError):
+        return unusable("the judge broke off")
     failed = [(point, why) for point, why in zip(points, said) if why != "proved"]
     for point, why in failed:
         near = why in OTHER_NUMBERS and any(not exact for _, exact in numbers_of(point))

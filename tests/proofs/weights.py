@@ -89,8 +89,8 @@ def positive_weights(vectors):
     if not any(target):
         return [1] * len(vectors)
     ordered = sorted(range(len(vectors)), key=lambda k: -dot(vectors[k], target))
-    for size in (1, 2, 3):
-        for chosen in itertools.combinations(ordered, size):
+    for count, size in itertools.product((8, 40, len(ordered)), (1, 2, 3)):  # few of those in its direction suffice
+        for chosen in itertools.combinations(ordered[:count], size):
             if found := cone_coefficients([vectors[k] for k in chosen], target):
                 weights = [found[1]] * len(vectors)
                 for k, coefficient in zip(chosen, found[0]):
@@ -125,11 +125,9 @@ def form_at_polygon(vectors):
     for a, b in itertools.combinations(vectors, 2):
         n = cross(a, b)
         if any(n):
-            heights = [dot(n, v) for v in vectors]
-            if min(heights) == 0:
-                return n
-            if max(heights) == 0:
-                return times(-1, n)
+            for form in (n, times(-1, n)):
+                if all(dot(form, v) >= 0 for v in vectors):
+                    return form
     return None
 
 
