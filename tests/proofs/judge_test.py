@@ -57,7 +57,7 @@ def contact_replaced(record, records, rows, rng):
     record["contact"][rng.randrange(len(record["contact"]))] = rng.randrange(len(rows))
 
 
-def contact_sorted(record, records, rows, rng):
+def contact_larger(record, records, rows, rng):
     record["contact"] = sorted({*record["contact"], rng.randrange(len(rows))})
 
 
@@ -117,7 +117,7 @@ def place_of_other(record, records, rows, rng):
         record[key] = copy.deepcopy(other[key])
 
 
-CHANGES = [contact_replaced, contact_sorted, contact_smaller, contact_of_other, contact_repeated, other_sphere,
+CHANGES = [contact_replaced, contact_larger, contact_smaller, contact_of_other, contact_repeated, other_sphere,
            kind_changed, as_critical, center_moved, center_turned, square_changed, place_of_other]
 
 
