@@ -34,6 +34,65 @@ Proof. intros u m C x H [w [L [S <-]]]. rewrite (comb_level u m) by auto. rewrit
 Lemma conv_in_aff : forall C x, in_conv C x -> in_aff C x.
 Proof. intros C x [w [L [_ [S E]]]]. exists w. auto. Qed.
 
+(* A hull depends on the points alone, and not on their order or on how often they are in the list. *)
+Lemma unit_weights : forall D p, In p D ->
+  exists e, length e = length D /\ Forall (fun a => 0 <= a) e /\ sum e = 1 /\ comb e D = p.
+Proof.
+  induction D as [|d D IH]; intros p H; [destruct H|]. destruct H as [<-|H].
+  - exists (1 :: repeat 0 (length D)). simpl. rewrite repeat_length, sum_repeat. repeat split; auto.
+    + constructor; [lra | apply Forall_repeat; lra].
+    + ring.
+    + assert (E : forall n (l : list vec), comb (repeat 0 n) l = vzero).
+      { induction n as [|n In]; intros [|q l]; simpl; auto. rewrite In. apply vec_eq; simpl; ring. }
+      rewrite E. apply vec_eq; simpl; ring.
+  - destruct (IH p H) as [e [L [N [S E]]]]. exists (0 :: e). simpl. rewrite E, S. repeat split; auto; try lra.
+    + constructor; auto. lra.
+    + apply vec_eq; simpl; ring.
+Qed.
+Lemma nonneg_ladd : forall u v, length u = length v -> Forall (fun a => 0 <= a) u -> Forall (fun a => 0 <= a) v ->
+  Forall (fun a => 0 <= a) (ladd u v).
+Proof.
+  induction u as [|a u IH]; intros [|b v] L Hu Hv; simpl; constructor; inversion Hu; inversion Hv; subst; try lra.
+  apply IH; auto.
+Qed.
+Lemma nonneg_lscale : forall k u, 0 <= k -> Forall (fun a => 0 <= a) u -> Forall (fun a => 0 <= a) (lscale k u).
+Proof.
+  intros k u Hk H. unfold lscale. rewrite Forall_map. eapply Forall_impl; [|exact H].
+  intros a Ha. cbv beta in *. apply Rmult_le_pos; auto.
+Qed.
+Lemma weights_over : forall C D, incl C D -> forall w, length w = length C ->
+  exists v, length v = length D /\ sum v = sum w /\ comb v D = comb w C /\
+    (Forall (fun a => 0 <= a) w -> Forall (fun a => 0 <= a) v).
+Proof.
+  induction C as [|p C IH]; intros D H [|a w] L; try discriminate.
+  - exists (repeat 0 (length D)). simpl. rewrite repeat_length, sum_repeat. repeat split; auto; [ring | |].
+    + clear H. induction D as [|d D ID]; simpl; auto. rewrite ID. apply vec_eq; simpl; ring.
+    + intros _. apply Forall_repeat. lra.
+  - injection L; intro L'. destruct (IH D (fun q Hq => H q (or_intror Hq)) w L') as [v [Lv [Sv [Ev Nv]]]].
+    destruct (unit_weights D p (H p (or_introl eq_refl))) as [e [Le [Ne [Se Ee]]]].
+    assert (Ls : length (lscale a e) = length D) by (rewrite lscale_length; auto).
+    exists (ladd (lscale a e) v). repeat split.
+    + apply ladd_length; auto.
+    + rewrite sum_ladd, sum_lscale, Se, Sv by congruence. simpl. ring.
+    + rewrite comb_ladd, comb_lscale, Ee, Ev by auto. reflexivity.
+    + intros N. inversion N; subst. apply nonneg_ladd; [congruence | apply nonneg_lscale; auto | auto].
+Qed.
+Lemma conv_incl : forall C D x, incl C D -> in_conv C x -> in_conv D x.
+Proof.
+  intros C D x H [w [L [N [S E]]]]. destruct (weights_over C D H w L) as [v [Lv [Sv [Ev Nv]]]].
+  exists v. rewrite Sv, Ev. auto.
+Qed.
+Lemma aff_incl : forall C D x, incl C D -> in_aff C x -> in_aff D x.
+Proof.
+  intros C D x H [w [L [S E]]]. destruct (weights_over C D H w L) as [v [Lv [Sv [Ev _]]]].
+  exists v. rewrite Sv, Ev. auto.
+Qed.
+Lemma relint_same : forall C D x, incl C D -> incl D C -> in_relint C x -> in_relint D x.
+Proof.
+  intros C D x H H' [X [r [Hr B]]]. split; [apply (conv_incl C); auto|]. exists r. split; auto.
+  intros y Hy Hd. apply (conv_incl C); auto. apply B; auto. apply (aff_incl D); auto.
+Qed.
+
 (* A plane that supports the hull at a point of its relative interior contains all of it. *)
 Lemma comb_touching : forall u m w C, length w = length C -> Forall (fun a => 0 < a) w ->
   (forall p, In p C -> dot u p <= m) -> dot u (comb w C) = m * sum w -> forall p, In p C -> dot u p = m.
@@ -41,7 +100,8 @@ Proof.
   induction w as [|a w IH]; intros [|p C] L N H E q Hq; try discriminate; [destruct Hq|].
   rewrite dot_comb_cons in E. simpl in E. inversion N as [|a' w' Ha Hw]; subst.
   assert (B : dot u (comb w C) <= m * sum w).
-  { apply comb_below; auto; [|intros; apply H; right; auto]. eapply Forall_impl; [|exact Hw]. intros; cbv beta in *; lra. }
+  { apply comb_below; auto; [|intros; apply H; right; auto].
+    eapply Forall_impl; [|exact Hw]. intros; cbv beta in *; lra. }
   assert (B1 : dot u p <= m) by (apply H; left; auto).
   assert (E1 : dot u p = m) by nra.
   destruct Hq as [<-|Hq]; [exact E1|]. apply (IH C); auto; [intros; apply H; right; auto | nra].
@@ -101,4 +161,57 @@ Proof.
            ++ rewrite dot_vzero. lra.
            ++ apply vec_eq; simpl; field; lra.
         -- apply Forall_forall. intros p Hp. rewrite F. rewrite Forall_map, Forall_forall in Hy. apply Hy, Hp.
+Qed.
+
+(* ---- Supporting planes ---- *)
+
+Lemma level_or_off : forall u m C, (forall p, In p C -> dot u p = m) \/ exists p, In p C /\ dot u p <> m.
+Proof.
+  induction C as [|p C IH]; [left; intros q []|].
+  destruct (Req_dec (dot u p) m) as [E|E]; [|right; exists p; split; [left; auto | auto]].
+  destruct IH as [IH|[q [Hq N]]]; [left; intros q [<-|Hq]; auto | right; exists q; split; [right; auto | auto]].
+Qed.
+
+(* Where a point of the hull is not in the relative interior, a plane through it has points on one side, and none on
+   the other. *)
+Theorem supporting_plane : forall C x, in_conv C x ->
+  in_relint C x \/ exists u q, (forall p, In p C -> dot u p <= dot u x) /\ In q C /\ dot u q <> dot u x.
+Proof.
+  intros C x X. set (V := map (fun p => vsub p x) C).
+  destruct (farkas V (comb (repeat (-1) (length C)) V)) as [[w [L [N E]]]|[u [U S]]].
+  - left. apply positive_weights_sound. unfold V in L. rewrite map_length in L.
+    set (v := ladd w (repeat 1 (length C))).
+    assert (Lr : forall a : R, length (repeat a (length C)) = length C) by (intros; apply repeat_length).
+    assert (Lv : length v = length C) by (apply ladd_length; auto).
+    assert (Nv : Forall (fun a => 1 <= a) v).
+    { unfold v. rewrite <- L. clear - N. induction N; simpl; constructor; auto. lra. }
+    assert (Sv : 0 < sum v).
+    { assert (Nn : Forall (fun a => 0 <= a) v) by (eapply Forall_impl; [|exact Nv]; intros; cbv beta in *; lra).
+      destruct C as [|p C]; [destruct X as [w' [Lw [_ [Sw _]]]]; destruct w'; simpl in *; [lra | discriminate]|].
+      destruct v as [|a v']; [discriminate|]. inversion Nv; subst. inversion Nn; subst. simpl.
+      assert (G : forall l, Forall (fun a => 0 <= a) l -> 0 <= sum l) by (induction 1; simpl; lra).
+      generalize (G v' H4); lra. }
+    assert (Z : comb v V = vzero).
+    { unfold v. rewrite comb_ladd, E by (unfold V; rewrite map_length; auto).
+      rewrite <- comb_ladd by (unfold V; rewrite map_length; auto). clearbody V. clear.
+      generalize (length C). intros n. revert V. induction n; intros [|q V]; simpl; auto.
+      rewrite IHn. apply vec_eq; simpl; ring. }
+    exists (lscale (/ sum v) v). rewrite lscale_length, sum_lscale, comb_lscale. repeat split; auto.
+    + unfold lscale. rewrite Forall_map. eapply Forall_impl; [|exact Nv]. intros a Ha. cbv beta in *.
+      apply Rmult_lt_0_compat; [apply Rinv_0_lt_compat; auto | lra].
+    + field. lra.
+    + unfold V in Z. rewrite comb_shift in Z by auto.
+      transitivity (vadd (vscale (/ sum v) (vsub (comb v C) (vscale (sum v) x))) x).
+      * apply vec_eq; simpl; field; lra.
+      * rewrite Z. apply vec_eq; simpl; ring.
+  - right.
+    assert (B : forall p, In p C -> dot u p <= dot u x).
+    { intros p Hp. rewrite Forall_forall in U. specialize (U (vsub p x) (in_map (fun q => vsub q x) C p Hp)).
+      revert U. clear. vdestruct; vunfold. lra. }
+    destruct (level_or_off u (dot u x) C) as [A|[q [Hq Nq]]]; [|exists u, q; auto].
+    exfalso. rewrite (comb_level u 0) in S.
+    + lra.
+    + unfold V. rewrite repeat_length, map_length. auto.
+    + intros v Hv. apply in_map_iff in Hv. destruct Hv as [p [<- Hp]]. generalize (A p Hp). clear. intro.
+      vdestruct; vunfold. lra.
 Qed.
