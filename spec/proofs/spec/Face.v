@@ -85,9 +85,11 @@ Proof.
         destruct (outweigh u u' x C H) as [k [Hk K]].
         exists F, (vadd u' (vscale k u)). split; auto.
         assert (D : forall p, dot (vadd u' (vscale k u)) p - dot (vadd u' (vscale k u)) x
-                              = dot u' (vsub p x) + k * dot u (vsub p x)) by (clear; intros; vdestruct; vunfold; ring).
+                              = dot u' (vsub p x) + k * dot u (vsub p x))
+          by (clear; intros; vdestruct; vunfold; ring).
         assert (D' : forall p, dot u' (vsub p x) + k * dot u (vsub p x)
-                               = dot u' p - dot u' x + k * (dot u p - dot u x)) by (clear; intros; vdestruct; vunfold; ring).
+                               = dot u' p - dot u' x + k * (dot u p - dot u x))
+          by (clear; intros; vdestruct; vunfold; ring).
         assert (On : forall p, In p C' <-> In p C /\ dot u p = dot u x) by (intros; apply on_plane_right).
         split; intros p.
         * intros Hp. apply Rminus_le. rewrite D. destruct (Req_dec (dot u p) (dot u x)) as [E|E].
@@ -98,7 +100,8 @@ Proof.
           -- intros [Hp E]. apply Rminus_diag_eq in E. rewrite D in E.
              destruct (Req_dec (dot u p) (dot u x)) as [Eu|Eu]; [|generalize (K p Hp Eu); lra].
              rewrite D', Eu in E. repeat split; auto. lra. }
-  intros C x X. destruct (G (length C) C x (le_n _) X) as [F [u [A R]]]. exists F. split; auto. split; [|exists u; eauto].
+  intros C x X. destruct (G (length C) C x (le_n _) X) as [F [u [A R]]]. exists F. split; auto.
+  split; [|exists u; eauto].
   intros ->. destruct R as [[w [L [_ [S _]]]] _]. destruct w; simpl in *; [lra | discriminate].
 Qed.
 

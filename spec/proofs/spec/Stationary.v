@@ -1,6 +1,6 @@
 (* Stationary points (FC-CRIT-01, FC-CRIT-03 to 06).
    P is the merged input, K a list of ids, and C has the points of K. *)
-From Coq Require Import Reals ZArith Lra Lia List.
+From Coq Require Import Reals ZArith Lra Lia List FinFun.
 From Flowcert Require Import algebra.Vector3 spec.Hull spec.HalfSpace spec.CriticalPoint spec.Dimension spec.Face.
 Import ListNotations.
 Open Scope R_scope.
@@ -45,6 +45,21 @@ Proof.
   apply nth_error_Some. congruence.
 Qed.
 
+Theorem contact_set_exists : forall P x, exists K, contact_set P x K.
+Proof.
+  intros P x.
+  set (near p := if Forall_dec (fun q => dist2 x p <= dist2 x q) (fun q => Rle_dec _ _) P then true else false).
+  set (is_near i := match nth_error P (Z.to_nat i) with Some p => near p | None => false end).
+  exists (filter is_near (map Z.of_nat (seq 0 (length P)))). split.
+  - apply NoDup_filter, Injective_map_NoDup; [intros a b; apply Nat2Z.inj | apply seq_NoDup].
+  - intros i. rewrite filter_In, in_map_iff. unfold is_near, is_contact, point_at. split.
+    + intros [[n [<- Hn]] H]. rewrite Nat2Z.id in *. destruct (nth_error P n) as [p|] eqn:E; [|discriminate].
+      exists p. split; [split; [lia | auto]|]. unfold near in H.
+      destruct (Forall_dec _ _ P) as [F|]; [|discriminate]. rewrite Forall_forall in F. exact F.
+    + intros [p [[Hi E] F]]. rewrite E. split.
+      * exists (Z.to_nat i). split; [lia|]. apply in_seq. split; [lia|]. apply nth_error_Some. congruence.
+      * unfold near. destruct (Forall_dec _ _ P) as [|N]; auto. exfalso. apply N, Forall_forall, F.
+Qed.
 Lemma contact_points_exist : forall P x K, contact_set P x K -> exists C, Forall2 (point_at P) K C.
 Proof.
   intros P x K [_ H]. assert (G : forall i, In i K -> exists p, point_at P i p).
