@@ -1,5 +1,5 @@
-(* Neighbours in a triangulation (FC-CERT-02): the local test of T3, and the walk of step 5 of its proof.
-   Of two cells with a common facet the one's apex is outside of the other's sphere, on it or inside, iff the other's
+(* Cells that are neighbours (FC-CERT-02): the local test of T3, and the walk of step 5 of the proof.
+   Let two cells have a common facet. The apex of one is outside of the other's sphere, on it or inside, iff the other's
    apex is so of the one's sphere.
    lift z r2 is the affine function that is |x|^2 on the sphere around z of the squared radius r2.
    If no apex is inside, the lifts do not fall over a facet, and so they do not along a walk from cell to cell. *)
@@ -139,13 +139,13 @@ Definition slope c u := 2 * dot (centre c) u.
 Lemma slope_right : forall c x u k, cell_lift c (vadd x (vscale k u)) = cell_lift c x + k * slope c u.
 Proof. intros. unfold cell_lift, lift, power, slope. generalize (centre c). intros. vdestruct; vunfold; ring. Qed.
 
-(* Cells with the common facet F. T3: the later one's opposite sample q is not strictly inside the earlier one's
-   sphere. *)
+(* s and t have the common facet F, and q is opposite to it in t. T3 says that q is not strictly inside the sphere
+   of s. *)
 Definition next s t F q := incl F (samples s) /\ incl F (samples t) /\ In q (samples t) /\
   (forall p, In p (samples t) -> p = q \/ In p F) /\ radius2 s <= dist2 (centre s) q.
 
-(* Where the facet's affine hull is, both lifts are equal. The next cell's lift is the greater one on that cell, and on
-   all of its side of the facet: where one comes from the affine hull by a way from it towards q. *)
+(* On the facet's affine hull both lifts are equal. The next cell's lift is not the smaller one on that cell, nor
+   anywhere on its side of the facet, where one comes from the facet's affine hull by a way towards q. *)
 Theorem step : forall s t F q, has_sphere s -> has_sphere t -> next s t F q ->
   (forall x, in_aff F x -> cell_lift s x = cell_lift t x) /\
   (forall x, in_conv (samples t) x -> cell_lift s x <= cell_lift t x) /\
@@ -199,7 +199,8 @@ Proof.
   - exists b. split; [lra|]. apply (conv_incl F); auto. destruct N as [Fs _]. exact Fs.
 Qed.
 
-(* Along the segment the slope never falls, and at its end the lift of the last cell is the greatest. *)
+(* Along the segment the slope never falls, and at its end the lift of the last cell is not smaller than that of the
+   first. *)
 Theorem walk_rises : forall y x a s e, walk y x a s e ->
   slope s (vsub x y) <= slope e (vsub x y) /\ cell_lift s x <= cell_lift e x.
 Proof.
@@ -217,7 +218,7 @@ Proof.
   assert (0 <= 1 - b) by lra. nra.
 Qed.
 
-(* So a sample of the last cell that a walk from s comes to is not strictly inside the sphere of s. *)
+(* So a sample of the last cell is not strictly inside the sphere of the first cell, if the walk ends there. *)
 Corollary walk_outside : forall y x a s e, walk y x a s e -> In x (samples e) -> has_sphere e ->
   radius2 s <= dist2 (centre s) x.
 Proof.

@@ -20,7 +20,7 @@ Proof. unfold tells, power. intros k v z p x Hk E. repeat split; intros; nra. Qe
 
 (* ---- The cell lifted to the paraboloid around the point ---- *)
 
-(* In a plane or on a line m is an axis or its opposite, the one along which the first cell's volume is positive. *)
+(* In a plane or on a line, m is the vector of an axis or its opposite, so that the first cell has positive volume. *)
 Definition volume_in_space p0 p1 p2 p3 := det (vsub p1 p0) (vsub p2 p0) (vsub p3 p0).
 Definition volume_in_plane m p0 p1 p2 := dot m (cross (vsub p1 p0) (vsub p2 p0)).
 Definition volume_on_line m p0 p1 := dot m (vsub p1 p0).
@@ -171,7 +171,7 @@ Proof.
      clear; generalize (vsub p1 p0) (vsub p2 p0) (vsub p3 p0); intros; vdestruct; vunfold; ring).
 Qed.
 
-(* Both polynomials are the same one. *)
+(* The two polynomials of a tetrahedron are the same one. *)
 Theorem lifted_is_side : forall p0 p1 p2 p3 x,
   lifted_in_space p0 p1 p2 p3 x =
   side_of_sphere (tetrahedron_sphere (vsub p1 p0) (vsub p2 p0) (vsub p3 p0)) p0 x.
@@ -184,7 +184,7 @@ Proof.
   unfold numerator. vdestruct; vunfold; ring.
 Qed.
 
-(* What the filter of OutsideSphere gives the sign of (filters.Predicates.outside_sphere_right). *)
+(* The filter of OutsideSphere gives the sign of this one (filters.Predicates.outside_sphere_right). *)
 Corollary predicate_is_side : forall p0 p1 p2 p3 x,
   let a := vsub p1 p0 in let b := vsub p2 p0 in let c := vsub p3 p0 in let d := vsub x p0 in
   dot d d * det a b c - dot (numerator a b c) d = side_of_sphere (tetrahedron_sphere a b c) p0 x.

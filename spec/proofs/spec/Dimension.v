@@ -34,11 +34,11 @@ Qed.
 
 (* ---- Independent vectors are at most as many as those that span them ---- *)
 
-(* A vector k s + v, with v in the span of the others. *)
-Definition along s (l : R * vec) := vadd (vscale (fst l) s) (snd l).
+(* A vector is given as k s + v, with v in the span of the others. *)
+Definition joined s (l : R * vec) := vadd (vscale (fst l) s) (snd l).
 
-Lemma split_along : forall s S B, (forall b, In b B -> in_span (s :: S) b) ->
-  exists L, B = map (along s) L /\ forall l, In l L -> in_span S (snd l).
+Lemma split_joined : forall s S B, (forall b, In b B -> in_span (s :: S) b) ->
+  exists L, B = map (joined s) L /\ forall l, In l L -> in_span S (snd l).
 Proof.
   induction B as [|b B IH]; intros H.
   - exists []. split; [auto | intros l []].
@@ -58,17 +58,17 @@ Proof.
   - right. exists (l :: L1), l', L2. rewrite EL. auto.
 Qed.
 
-(* Each l less a multiple of l0, so that nothing is left along s. *)
+(* A multiple of l0 is taken from l, so that nothing is left along s. *)
 Definition without (l0 l : R * vec) := vsub (snd l) (vscale (fst l / fst l0) (snd l0)).
 Fixpoint steps (c : list R) (L : list (R * vec)) :=
   match c, L with a :: c', l :: L' => a * fst l + steps c' L' | _, _ => 0 end.
 
 Lemma comb_without : forall s l0 c L, fst l0 <> 0 -> length c = length L ->
-  comb c (map (without l0) L) = vsub (comb c (map (along s) L)) (vscale (steps c L / fst l0) (along s l0)).
+  comb c (map (without l0) L) = vsub (comb c (map (joined s) L)) (vscale (steps c L / fst l0) (joined s l0)).
 Proof.
   induction c as [|a c IH]; intros [|l L] H0 E; try discriminate; simpl.
   - apply vec_eq; simpl; field; exact H0.
-  - rewrite IH by auto. unfold without, along. apply vec_eq; simpl; field; exact H0.
+  - rewrite IH by auto. unfold without, joined. apply vec_eq; simpl; field; exact H0.
 Qed.
 
 Theorem independent_length : forall S B, (forall b, In b B -> in_span S b) -> independent B ->
@@ -84,10 +84,10 @@ Proof.
       - apply vec_eq; simpl; ring.
       - symmetry. clear. induction B as [|q B IB]; simpl; auto. rewrite IB. apply vec_eq; simpl; ring. }
     inversion F. lra.
-  - destruct (split_along s S B H) as [L [-> HL]]. rewrite map_length.
+  - destruct (split_joined s S B H) as [L [-> HL]]. rewrite map_length.
     destruct (split_nonzero L) as [Z|[L1 [l0 [L2 [-> N]]]]].
-    + assert (E : map (along s) L = map snd L).
-      { apply map_ext_in. intros l Hl. unfold along. rewrite Z by auto. apply vec_eq; simpl; ring. }
+    + assert (E : map (joined s) L = map snd L).
+      { apply map_ext_in. intros l Hl. unfold joined. rewrite Z by auto. apply vec_eq; simpl; ring. }
       rewrite E in *. simpl. apply Nat.le_trans with (length S); [|lia].
       rewrite <- (map_length snd L). apply IH; auto.
       intros b Hb. apply in_map_iff in Hb. destruct Hb as [l [<- Hl]]. auto.

@@ -91,8 +91,13 @@ Proof.
     [|rewrite Hy, Q; ring]. clear. vdestruct; vunfold; ring.
 Qed.
 
-(* From weights w that are not negative to any v: where the first one would become negative, or at v. *)
+(* No weight of w is negative. On the way from w to v a first one becomes 0, or none becomes negative. *)
 Definition mix s w v := ladd (lscale (1 - s) w) (lscale s v).
+Lemma mix_1 : forall w v, length w = length v -> mix 1 w v = v.
+Proof.
+  unfold mix. induction w as [|a w IH]; intros [|b v] L; simpl in *; try discriminate; auto.
+  f_equal; [ring | auto].
+Qed.
 Lemma exit_time : forall w v, length w = length v -> Forall (fun a => 0 <= a) w ->
   exists s, 0 <= s <= 1 /\ Forall (fun a => 0 <= a) (mix s w v) /\ (s = 1 \/ In 0 (mix s w v)).
 Proof.
@@ -130,7 +135,7 @@ Proof.
     intros q [<-|Hq]; [left | right]; auto.
 Qed.
 
-(* The nearest one of finitely many points that are nearest in hulls. *)
+(* One of finitely many hulls has the point that is nearest to x of all. *)
 Lemma nearest_of_all : forall x Ds, Ds <> [] -> (forall D, In D Ds -> exists c, nearest_in_hull D x c) ->
   exists D c, In D Ds /\ in_conv D c /\ forall D' y, In D' Ds -> in_conv D' y -> dist2 x c <= dist2 x y.
 Proof.
@@ -143,6 +148,27 @@ Proof.
       apply Rle_trans with (dist2 x c1); eauto.
     + exists D1, c1. split; [right; auto|]. split; auto. intros D' y [<-|H'] Hy; [|eauto].
       apply N in Hy. lra.
+Qed.
+
+(* A weight of 0 leaves a hull of fewer points. *)
+Lemma drop_zero : forall C w, length w = length C -> Forall (fun a => 0 <= a) w -> In 0 w ->
+  exists D v, In D (without_one C) /\ length v = length D /\ Forall (fun a => 0 <= a) v /\ sum v = sum w /\
+    comb v D = comb w C.
+Proof.
+  intros C w L N Z. apply in_split in Z. destruct Z as [m1 [m2 ->]]. rewrite app_length in L. simpl in L.
+  assert (Split : exists C1 r C2, C = C1 ++ r :: C2 /\ length C1 = length m1).
+  { assert (L1 : length (firstn (length m1) C) = length m1) by (rewrite firstn_length; lia).
+    destruct (skipn (length m1) C) as [|r C2] eqn:E.
+    - exfalso. apply (f_equal (@length vec)) in E. rewrite skipn_length in E. simpl in E. lia.
+    - exists (firstn (length m1) C), r, C2. rewrite <- E, firstn_skipn. auto. }
+  destruct Split as [C1 [r [C2 [-> L1]]]]. exists (C1 ++ C2), (m1 ++ m2).
+  split; [apply without_one_in|].
+  rewrite app_length in L. simpl in L. rewrite Forall_app in N. destruct N as [N1 N2]. inversion N2; subst.
+  repeat split.
+  - rewrite !app_length. lia.
+  - apply Forall_app. auto.
+  - clear. induction m1; simpl; [ring | rewrite IHm1; ring].
+  - rewrite !comb_app by auto. simpl. apply vec_eq; simpl; ring.
 Qed.
 
 (* From a point y of the hull the way to v, which is outside, leads out of it: to a hull of fewer points. *)
@@ -159,24 +185,9 @@ Proof.
   assert (Em : comb (mix s w v) C = vadd (comb w C) (vscale s (vsub (comb v C) (comb w C)))).
   { unfold mix. rewrite comb_ladd, !comb_lscale by (rewrite ?lscale_length; auto). apply vec_eq; simpl; ring. }
   destruct Z as [->|Z].
-  { exfalso. apply Nv. replace v with (mix 1 w v); auto. clear - Lw Lv. rewrite <- Lv in Lw. clear Lv.
-    revert v Lw. unfold mix. induction w as [|a w IH]; intros [|b v] L; simpl in *; try discriminate; auto.
-    f_equal; [ring | auto]. }
-  apply in_split in Z. destruct Z as [m1 [m2 Z]]. rewrite Z in *. clear Z.
-  rewrite app_length in Lm. simpl in Lm.
-  assert (Split : exists C1 r C2, C = C1 ++ r :: C2 /\ length C1 = length m1).
-  { assert (L : length (firstn (length m1) C) = length m1) by (rewrite firstn_length; lia).
-    destruct (skipn (length m1) C) as [|r C2] eqn:E.
-    - exfalso. apply (f_equal (@length vec)) in E. rewrite skipn_length in E. simpl in E. lia.
-    - exists (firstn (length m1) C), r, C2. rewrite <- E, firstn_skipn. auto. }
-  destruct Split as [C1 [r [C2 [EC L1]]]]. exists s, (C1 ++ C2). rewrite <- Em. rewrite EC in *.
-  split; auto. split; [apply without_one_in|].
-  rewrite app_length in Lm. simpl in Lm. rewrite Forall_app in M. destruct M as [M1 M2]. inversion M2; subst.
-  exists (m1 ++ m2). repeat split.
-  - rewrite !app_length. lia.
-  - apply Forall_app. auto.
-  - rewrite <- Sm. clear. induction m1; simpl; [ring | rewrite IHm1; ring].
-  - rewrite !comb_app by auto. simpl. apply vec_eq; simpl; ring.
+  - exfalso. apply Nv. rewrite mix_1 in M by congruence. exact M.
+  - destruct (drop_zero C (mix s w v)) as [D [x [HD [Lx [Nx [Sx Ex]]]]]]; auto. exists s, D. rewrite <- Em.
+    split; auto. split; auto. exists x. rewrite Sx. auto.
 Qed.
 
 Theorem nearest_exists : forall C x p, In p C -> exists c, nearest_in_hull C x c.

@@ -8,10 +8,10 @@ Open Scope R_scope.
 
 Definition along x t u := vadd x (vscale t u).
 
-(* K of FC-FLOW-01: the points of the contact set of x with the largest product with u. *)
+(* This is K of FC-FLOW-01: it has the points of the contact set of x with the largest product with u. *)
 Definition foremost P x u p := nearest P x p /\ forall q, nearest P x q -> dot u q <= dot u p.
 
-(* The contact set of x + t u is that of the segment. *)
+(* The contact set of x + t u is K. *)
 Definition on_segment P x u t := forall p, nearest P (along x t u) p <-> foremost P x u p.
 
 (* The end is the first point with t > 0 whose contact set is another one. *)
@@ -19,7 +19,7 @@ Definition segment_end P x u T := 0 < T /\ (forall t, 0 < t < T -> on_segment P 
 
 (* ---- FC-FLOW-01 ---- *)
 
-(* How much farther q is than p: an affine function of t. *)
+(* By how much q is farther than p is an affine function of t. *)
 Lemma lead : forall x u t p q,
   dist2 (along x t u) q - dist2 (along x t u) p = (dist2 x q - dist2 x p) - t * (2 * (dot u q - dot u p)).
 Proof. intros. unfold along. vdestruct; vunfold; ring. Qed.
@@ -55,7 +55,7 @@ Proof.
     assert (0 <= t * (2 * (dot u q - dot u p))) by (apply Rmult_le_pos; lra). lra.
 Qed.
 
-(* The first time at which one of the points L catches up with p. *)
+(* None of the points L catches up with p, or one is the first that does so, at the time T. *)
 Lemma meeting : forall x u p L,
   (forall q, In q L -> dot u q <= dot u p) \/
   exists T q, In q L /\ dot u p < dot u q /\ dist2 x q - dist2 x p = T * (2 * (dot u q - dot u p)) /\
@@ -170,7 +170,7 @@ Qed.
 
 (* ---- FC-FLOW-02 ---- *)
 
-(* The dimensions of the contact set C of the start and of K: V-E, E-E, V-F, E-F, F-F or C-C. *)
+(* The contact set C of the start and K have the dimensions of V-E, E-E, V-F, E-F, F-F or C-C. *)
 Theorem segment_types : forall P x c C K s k, driver P x c -> x <> c ->
   contacts P x C -> (forall p, In p K <-> foremost P x (vsub x c) p) ->
   affine_dimension C s -> affine_dimension K k ->

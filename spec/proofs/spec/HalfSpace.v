@@ -118,7 +118,7 @@ Qed.
 Definition in_cone V b := exists w, length w = length V /\ Forall (fun a => 0 <= a) w /\ comb w V = b.
 Definition parts u V b := Forall (fun v => dot u v <= 0) V /\ 0 < dot u b.
 
-(* Each vector less a multiple of v, so that the product with x is 0. *)
+(* A multiple of v is taken from b, so that the product with x is 0. *)
 Definition less v x b := vsub b (vscale (dot x b / dot x v) v).
 
 Lemma comb_less : forall v x w V, length w = length V ->

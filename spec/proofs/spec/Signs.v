@@ -3,21 +3,19 @@
 From Coq Require Import Reals ZArith Lra Lia List.
 From Flowcert Require Import algebra.Vector3 spec.Hull spec.HalfSpace spec.CriticalPoint spec.Dimension spec.Face
   spec.Stationary spec.Driver algebra.Sphere algebra.LocalDelaunay.
+From Flowcert Require algebra.Cascade.
 Import ListNotations.
 Open Scope R_scope.
 
-(* h of FC-SIGN-01. *)
-Definition h p0 p1 q := dot (vsub q p0) (vsub q p1).
+(* This is h of FC-SIGN-01. *)
+Local Notation h := Cascade.h.
 
-Lemma same_or_not : forall a b : vec, a = b \/ a <> b.
-Proof.
-  intros a b. destruct (Req_dec (dist2 a b) 0) as [Z|Z]; [left; apply dist2_zero, Z | right].
-  intros ->. apply Z. clear. vdestruct; vunfold; ring.
-Qed.
+Lemma vec_dec : forall a b : vec, {a = b} + {a <> b}.
+Proof. decide equality; apply Req_EM_T. Qed.
 Lemma h_is_power : forall p0 p1 q, dist2 (midpoint p0 p1) q - dist2 (midpoint p0 p1) p0 = h p0 p1 q.
-Proof. intros. unfold h. vdestruct; vunfold; field. Qed.
+Proof. intros. unfold Cascade.h. vdestruct; vunfold; field. Qed.
 Lemma h_at_ends : forall p0 p1, h p0 p1 p0 = 0 /\ h p0 p1 p1 = 0.
-Proof. intros. unfold h. split; vdestruct; vunfold; ring. Qed.
+Proof. intros. unfold Cascade.h. split; vdestruct; vunfold; ring. Qed.
 Lemma midpoint_weights : forall p0 p1, comb [/ 2; / 2] [p0; p1] = midpoint p0 p1.
 Proof. intros. apply vec_eq; simpl; field. Qed.
 Lemma midpoint_in_relint : forall p0 p1, in_relint [p0; p1] (midpoint p0 p1).
@@ -54,8 +52,8 @@ Proof.
     destruct K as [<-|[<-|[]]]; [apply N0 | apply N1]; eapply point_at_same; eauto.
   - intros H. destruct (h_at_ends p0 p1) as [H0 H1].
     assert (G : forall q, In q P -> 0 <= h p0 p1 q /\ (h p0 p1 q = 0 -> q = p0 \/ q = p1)).
-    { intros q Hq. destruct (same_or_not q p0) as [->|N0]; [rewrite H0; split; auto; lra|].
-      destruct (same_or_not q p1) as [->|N1]; [rewrite H1; split; auto; lra|].
+    { intros q Hq. destruct (vec_dec q p0) as [->|N0]; [rewrite H0; split; auto; lra|].
+      destruct (vec_dec q p1) as [->|N1]; [rewrite H1; split; auto; lra|].
       specialize (H q Hq N0 N1). split; intros; lra. }
     assert (C : sphere_conditions P [i; j] [p0; p1] m (dist2 m p0)).
     { split; [split; [apply conv_in_aff, Mid|] |].
@@ -126,7 +124,7 @@ Lemma edge_of_simplex : forall C F p0 p1, simplex C -> In p0 C -> In p1 C -> p0 
   in_conv F (midpoint p0 p1) -> In p0 F.
 Proof.
   intros C F p0 p1 S H0 H1 N I M. destruct (S p0 H0) as [u [l [U L]]].
-  destruct (in_dec (fun a b : vec => ltac:(decide equality; apply Req_EM_T) : {a = b} + {a <> b}) p0 F) as [Y|Y]; auto.
+  destruct (in_dec vec_dec p0 F) as [Y|Y]; auto.
   exfalso. apply U. assert (E : dot u (midpoint p0 p1) = l).
   { apply (aff_level u l F); [|apply conv_in_aff; auto]. intros q Hq. apply L; auto. intros ->. auto. }
   assert (E1 : dot u p1 = l) by (apply L; auto). revert E E1. clear. vdestruct; vunfold. lra.
@@ -151,7 +149,7 @@ Proof.
     unfold m, midpoint. apply vec_eq; simpl; ring.
 Qed.
 
-(* On the line through both ends, h is 0 at these alone. *)
+(* On the line through both ends, h is 0 at these alone. The way from the midpoint to q begins between them. *)
 Lemma h_on_line : forall p0 p1 q e, e <> 0 ->
   in_conv [p0; p1] (vadd (midpoint p0 p1) (vscale e (vsub q (midpoint p0 p1)))) ->
   h p0 p1 q = 0 -> q = p0 \/ q = p1.
@@ -168,7 +166,7 @@ Proof.
     transitivity (vadd (vsub q (midpoint p0 p1)) (midpoint p0 p1)); [apply vec_eq; simpl; ring|].
     rewrite D'. unfold k, midpoint. apply vec_eq; simpl; field; auto. }
   clearbody k. assert (Z : k * (k - 1) * dist2 p1 p0 = 0).
-  { rewrite <- H, Q. unfold h. clear. vdestruct; vunfold; ring. }
+  { rewrite <- H, Q. unfold Cascade.h. clear. vdestruct; vunfold; ring. }
   apply Rmult_integral in Z. destruct Z as [Z|Z].
   - apply Rmult_integral in Z. rewrite Q. destruct Z as [Z|Z]; [left | right].
     + rewrite Z. apply vec_eq; simpl; ring.
@@ -176,8 +174,8 @@ Proof.
   - left. apply dist2_zero in Z. rewrite Q, Z. apply vec_eq; simpl; ring.
 Qed.
 
-(* The local test at the edge: the affine function by which |x|^2 less the lift of the ball around the midpoint exceeds
-   |x|^2 less that of a cell is not negative at the cell's samples. *)
+(* h less the power to the cell's sphere is an affine function. It is 0 at the midpoint, and not negative at the cell's
+   samples. So it is not negative on the way from the midpoint into the cell, nor at q, where this way leads. *)
 Lemma cell_at_edge : forall t p0 p1 q e, has_sphere t -> radius2 t <= dist2 (centre t) q -> at_edge p0 p1 t ->
   (forall v, In v (samples t) -> v <> p0 -> v <> p1 -> 0 < h p0 p1 v) -> 0 < e ->
   in_conv (samples t) (vadd (midpoint p0 p1) (vscale e (vsub q (midpoint p0 p1)))) ->
@@ -193,8 +191,8 @@ Proof.
   { intros v Hv. rewrite G. unfold power. rewrite (S v Hv : dist2 z v = radius2 t). ring. }
   destruct (h_at_ends p0 p1) as [Z0 Z1].
   assert (D : forall v, In v (samples t) -> dot u v <= k /\ (dot u v = k -> v = p0 \/ v = p1)).
-  { intros v Hv. specialize (On v Hv). destruct (same_or_not v p0) as [->|V0]; [rewrite Z0 in On; split; auto; lra|].
-    destruct (same_or_not v p1) as [->|V1]; [rewrite Z1 in On; split; auto; lra|].
+  { intros v Hv. specialize (On v Hv). destruct (vec_dec v p0) as [->|V0]; [rewrite Z0 in On; split; auto; lra|].
+    destruct (vec_dec v p1) as [->|V1]; [rewrite Z1 in On; split; auto; lra|].
     specialize (H v Hv V0 V1). split; intros; lra. }
   assert (M : dot u m = k).
   { apply On in A0, A1. rewrite Z0 in A0. rewrite Z1 in A1. assert (E : dot u m = / 2 * (dot u p0 + dot u p1)).
