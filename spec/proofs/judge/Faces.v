@@ -1,7 +1,8 @@
 (* Weights and a linear form that the judge accepts tell the kind of a stationary point: where the form is least on the
    contact set, there is a face of its hull, and the weights put the point in the relative interior of that face. *)
 From Coq Require Import Reals ZArith Lra Lia List Bool.
-From Flowcert Require Import algebra.Vector3 spec.Hull spec.CriticalPoint spec.StationaryPoint judge.Judge judge.Dimension.
+From Flowcert Require Import algebra.Vector3 spec.Hull spec.CriticalPoint spec.StationaryPoint judge.Judge
+  judge.Dimension.
 Import ListNotations.
 Open Scope R_scope.
 
