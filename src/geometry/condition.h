@@ -10,6 +10,20 @@ namespace flowcert::geometry {
 [[nodiscard, gnu::always_inline]] inline double select(int is_true, double yes, double no) {
   return is_true != 0 ? yes : no;
 }
+// Of longer floating-point types.
+template <class Number>
+[[nodiscard]] Number select(int is_true, const Number& yes, const Number& no) {
+  return is_true != 0 ? yes : no;
+}
+// std::min() and std::max() are branches to the compiler, because they return references.
+template <class Number>
+[[nodiscard, gnu::always_inline]] inline Number least(const Number& x, const Number& y) {
+  return select(condition(y < x), y, x);
+}
+template <class Number>
+[[nodiscard, gnu::always_inline]] inline Number most(const Number& x, const Number& y) {
+  return select(condition(x < y), y, x);
+}
 
 template <class Number>
 using Condition = decltype(condition(Number() < Number()));

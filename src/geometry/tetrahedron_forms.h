@@ -73,11 +73,6 @@ template <class Number>
   using std::sqrt;
   const Number aa = dot(a, a), bb = dot(b, b), cc = dot(c, c);
   const Number na = sqrt(aa), nb = sqrt(bb), nc = sqrt(cc);
-  // std::min() is a branch to the compiler, because it returns a reference.
-  const auto least = [](const Number& x, const Number& y)
-                         __attribute__((always_inline)) { return select(condition(y < x), y, x); };
-  const auto most = [](const Number& x, const Number& y)
-                        __attribute__((always_inline)) { return select(condition(x < y), y, x); };
   const Number smallest = least(least(na, nb), nc), largest = most(most(na, nb), nc);
   const auto in_range = condition(smallest >= kSmallestNorm) & condition(largest <= kLargestNorm);
   // An infinite bound leaves every sign open.

@@ -12,12 +12,14 @@
 #include <string>
 #include <vector>
 
+#include "flow/kernels/direction_bounds.h"
 #include "geometry/distance_filter.h"
 #include "geometry/filter_bounds.h"
 #include "geometry/integer_grid.h"
 #include "geometry/predicates.h"
 #include "geometry/tetrahedron_forms.h"
 #include "tests/proofs/coq_module.h"
+#include "tests/proofs/direction_terms.h"
 
 namespace flowcert::proofs {
 
@@ -115,6 +117,8 @@ CoqModule distances_module() {
   return module;
 }
 
+using namespace flow;
+
 struct Constant {
   const char* name;
   double value;
@@ -128,7 +132,13 @@ constexpr Constant kConstants[] = {
     CONSTANT(kCellSideBound),      CONSTANT(kFarCellSideBound),   CONSTANT(kExactReach),
     CONSTANT(kDistanceBound),      CONSTANT(kPositionBound),      CONSTANT(kDistanceUnderflow),
     CONSTANT(kLargestDistance),    CONSTANT(kWideBits),           CONSTANT(kNarrowBits),
-    CONSTANT(kSmallBits)};
+    CONSTANT(kSmallBits),          CONSTANT(kVertexStartBound),   CONSTANT(kCircleStartBound),
+    CONSTANT(kSideStartBound),     CONSTANT(kGivenStartBound),    CONSTANT(kCrossingBound),
+    CONSTANT(kAngleFormBound),     CONSTANT(kHeightBound),        CONSTANT(kExitBound),
+    CONSTANT(kOrderBound),         CONSTANT(kNormalBound),        CONSTANT(kAreaBound),
+    CONSTANT(kSmallestSquare),     CONSTANT(kLargestSquare),      CONSTANT(kLargestError),
+    CONSTANT(kTangentOfSine),      CONSTANT(kTangentBehind),      CONSTANT(kOrderTurn),
+    CONSTANT(kCrossingSlack)};
 #undef CONSTANT
 
 void write(const std::filesystem::path& path, const std::string& text) {
@@ -153,6 +163,9 @@ void write_all(const std::filesystem::path& folder) {
   predicates += "\n" + module_of("OutsideCircle", OutsideCircle{p[0], p[1], p[2], p[3]}).text();
   write(folder / "Predicates.v", predicates);
   write(folder / "Distances.v", start + "\n" + distances_module().text());
+  std::string directions = start;
+  for (const CoqModule& module : direction_modules()) directions += "\n" + module.text();
+  write(folder / "Directions.v", directions);
   write(folder / "Cells.v", start + "\n" + cell_module().text() + "\n" + cell_integers_module().text());
 }
 

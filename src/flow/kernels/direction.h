@@ -6,60 +6,15 @@
 // How it changes from facet to facet is in direction_across.h.
 #pragma once
 
-#include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <array>
 #include <cmath>
 
+#include "flow/kernels/direction_bounds.h"
 #include "flow/kernels/layer.h"
 #include "flow/kernels/steering.h"
-#include "geometry/double_double.h"
 #include "geometry/vector3.h"
 
 namespace flowcert::flow {
-
-using geometry::DoubleDouble;
-
-// The longest floating-point type. Its exponents have 32 bits, so that no power of doubles leaves its range.
-using Extended = boost::multiprecision::number<
-    boost::multiprecision::cpp_bin_float<256, boost::multiprecision::digit_base_2, void, std::int32_t>,
-    boost::multiprecision::et_off>;
-
-// What the bounds need to know of a floating-point type.
-template <class Number>
-struct Precision;
-
-template <>
-struct Precision<double> {
-  static constexpr double kRoundoff = 0x1p-53;
-  // Of the square of a length. All terms of degree 10 in such lengths are normal doubles, and so are their errors.
-  static bool is_in_range(double square) { return square >= 1e-50 && square <= 1e50; }
-};
-
-template <>
-struct Precision<DoubleDouble> {
-  static constexpr double kRoundoff = DoubleDouble::kRoundoff;
-  static bool is_in_range(const DoubleDouble& square) { return Precision<double>::is_in_range(square.high()); }
-};
-
-template <>
-struct Precision<Extended> {
-  static constexpr double kRoundoff = 0x1p-256;
-  static bool is_in_range(const Extended& square) { return square > 0; }
-};
-
-// ---- Constants of the bounds, in units of the roundoff (src/flow/cascades.md derives them) ----
-
-inline constexpr double kVertexStartBound = 24;   // times |a||b||c| (|a|+|b|+|c|+W)
-inline constexpr double kCircleStartBound = 32;   // times |a|^2 |b|^2 (|a|+|b|+W)
-inline constexpr double kSideStartBound = 24;     // times |e|^2 |c-p0|
-inline constexpr double kGivenStartBound = 8;     // relative
-inline constexpr double kCrossingBound = 40;      // times L^2
-inline constexpr double kAngleFormBound = 2;      // an angle h at q, times G^2
-inline constexpr double kHeightBound = 6;         // an angle at the corner that is left behind, times L^2
-inline constexpr double kExitBound = 20;          // <U,g>, times G
-inline constexpr double kOrderBound = 8;          // h_j <U,g_i> - h_i <U,g_j>, times G_i G_j (G_i + G_j)
-inline constexpr double kNormalBound = 24;        // <U,n>, times |b-a||c-a|
-inline constexpr double kCrossingSlack = 1.0625;  // on the error of a position, for terms of higher order
 
 // The Delaunay edge of a facet.
 struct FacetEdge {
@@ -76,7 +31,19 @@ struct Direction {
   // little longer than 1, and leaves the plane by rounding alone. A direction that is not known has an error of 1.
   Number error{1};
 
-  [[nodiscard]] bool is_known() const { return error < 1; }
+  [[nodiscard]] auto is_known() const { return error < Number(1); }
+};
+
+// A direction that is known on a condition. There is no branch in what computes it, so that lanes share it.
+template <class Number>
+struct MaybeDirection {
+  Direction<Number> if_known;
+  Condition<Number> is_known;
+
+  [[nodiscard, gnu::always_inline]] Direction<Number> direction() const {
+    if (!is_known) return {};
+    return if_known;
+  }
 };
 
 template <class Number>
@@ -99,23 +66,23 @@ template <class Number>
 // Projects y to the plane orthogonal to e, and shortens it to 1. y has an error of at most `bound`. The angle of this
 // error is what is known of the direction.
 template <class Number>
-[[nodiscard]] Direction<Number> direction_of_vector(const Vector3<Number>& y, const Number& bound,
-                                                    const Vector3<Number>& e) {
+[[nodiscard]] MaybeDirection<Number> direction_of_vector(const Vector3<Number>& y, const Number& bound,
+                                                         const Vector3<Number>& e) {
   using std::sqrt;
   const Number yy = dot(y, y), ee = dot(e, e);
-  if (!Precision<Number>::is_in_range(ee)) return {};
-  const Number inverse = Number(1) / sqrt(yy);
+  const Number inverse = Number(1) / Number(sqrt(yy));
   const Number error = bound * inverse;
   // Where the length is infinite, its inverse is zero, and so is the error.
-  if (!(inverse > 0 && error < Number(0.0625))) return {};
-  return {inverse * (y - Number(dot(y, e) / ee) * e), error * (Number(1) + Number(2) * error)};
+  return {
+      {inverse * (y - Number(dot(y, e) / ee) * e), error * (Number(1) + Number(kTangentOfSine) * error)},
+      Precision<Number>::is_in_range(ee) & condition(inverse > Number(0)) & condition(error < Number(kLargestError))};
 }
 
 // ---- Starts ----
 
 // From the centre of the sphere through four points, positively oriented.
 template <class Number>
-[[nodiscard]] Direction<Number> direction_from_vertex(const std::array<const Point*, 4>& v, FacetEdge facet) {
+[[nodiscard]] MaybeDirection<Number> start_at_vertex(const std::array<const Point*, 4>& v, FacetEdge facet) {
   const Vector3<Number> a = difference<Number>(*v[0], *v[1]), b = difference<Number>(*v[0], *v[2]),
                         c = difference<Number>(*v[0], *v[3]);
   const Vector3<Number> w0 = difference<Number>(*facet.p0, *v[0]), w1 = difference<Number>(*facet.p1, *v[0]);
@@ -123,29 +90,49 @@ template <class Number>
   const Number na = length(a), nb = length(b), nc = length(c), product = na * nb * nc;
   const Number bound =
       Number(kVertexStartBound * Precision<Number>::kRoundoff) * product * (na + nb + nc + length(w0) + length(w1));
-  if (!Precision<Number>::is_in_range(std::min({na, nb, nc}) * std::min({na, nb, nc})) ||
-      !Precision<Number>::is_in_range(std::max({na, nb, nc}) * std::max({na, nb, nc}))) {
-    return {};
-  }
-  return direction_of_vector<Number>(sphere.numerator + sphere.determinant * (w0 + w1), bound,
-                                     difference<Number>(*facet.p0, *facet.p1));
+  const Number shortest = least<Number>(least<Number>(na, nb), nc), longest = most<Number>(most<Number>(na, nb), nc);
+  const MaybeDirection<Number> start = direction_of_vector<Number>(sphere.numerator + sphere.determinant * (w0 + w1),
+                                                                   bound, difference<Number>(*facet.p0, *facet.p1));
+  return {start.if_known, Precision<Number>::is_in_range(shortest * shortest) &
+                              Precision<Number>::is_in_range(longest * longest) & start.is_known};
+}
+template <class Number>
+[[nodiscard]] Direction<Number> direction_from_vertex(const std::array<const Point*, 4>& v, FacetEdge facet) {
+  return start_at_vertex<Number>(v, facet).direction();
 }
 
 // From the centre of the circle through the ends of the facet's edge and c.
 template <class Number>
-[[nodiscard]] Direction<Number> direction_from_side(const Point& c, FacetEdge facet) {
+[[nodiscard]] MaybeDirection<Number> start_at_side(const Point& c, FacetEdge facet) {
   const Vector3<Number> e = difference<Number>(*facet.p0, *facet.p1), a = difference<Number>(*facet.p0, c),
                         b = difference<Number>(*facet.p1, c);
   const Number ee = dot(e, e), aa = dot(a, a), h = dot(a, b);
+  // The size of h is at most a quarter of G^2 = 2 (|a|^2 + |b|^2).
   const Number uncertain = Number(2 * kAngleFormBound * Precision<Number>::kRoundoff) * (aa + dot(b, b));
-  if (!Precision<Number>::is_in_range(aa) || !(h > uncertain || h < -uncertain)) return {};
   using std::sqrt;
   const Number bound = Number(kSideStartBound * Precision<Number>::kRoundoff) * ee * sqrt(aa);
-  const Vector3<Number> y = ee * a - Number(dot(a, e)) * e;
-  return direction_of_vector<Number>(h > 0 ? y : Number(-1) * y, bound, e);
+  const Number side = select(condition(h > Number(0)), Number(1), Number(-1));
+  const MaybeDirection<Number> start = direction_of_vector<Number>(side * (ee * a - Number(dot(a, e)) * e), bound, e);
+  return {start.if_known, Precision<Number>::is_in_range(aa) & condition(absolute(h) > uncertain) & start.is_known};
+}
+template <class Number>
+[[nodiscard]] Direction<Number> direction_from_side(const Point& c, FacetEdge facet) {
+  return start_at_side<Number>(c, facet).direction();
 }
 
 // From the centre of the circle through three points.
+template <class Number>
+[[nodiscard]] MaybeDirection<Number> start_at_circle(const std::array<const Point*, 3>& v, FacetEdge facet) {
+  const Vector3<Number> a = difference<Number>(*v[0], *v[1]), b = difference<Number>(*v[0], *v[2]);
+  const Vector3<Number> w0 = difference<Number>(*facet.p0, *v[0]), w1 = difference<Number>(*facet.p1, *v[0]);
+  const Vector3<Number> n = cross(a, b);
+  const Number aa = dot(a, a), bb = dot(b, b);
+  const Number bound = Number(kCircleStartBound * Precision<Number>::kRoundoff) * aa * bb *
+                       (length(a) + length(b) + length(w0) + length(w1));
+  const Vector3<Number> y = Number(dot(n, n)) * (w0 + w1) + cross(aa * b - bb * a, n);
+  const MaybeDirection<Number> start = direction_of_vector<Number>(y, bound, difference<Number>(*facet.p0, *facet.p1));
+  return {start.if_known, Precision<Number>::is_in_range(aa) & Precision<Number>::is_in_range(bb) & start.is_known};
+}
 template <class Number>
 [[nodiscard]] Direction<Number> direction_from_circle(const std::array<const Point*, 3>& v, FacetEdge facet) {
   for (std::size_t k = 0; k < 3; ++k) {
@@ -154,15 +141,7 @@ template <class Number>
       return direction_from_side<Number>(*v[k], facet);
     }
   }
-  const Vector3<Number> a = difference<Number>(*v[0], *v[1]), b = difference<Number>(*v[0], *v[2]);
-  const Vector3<Number> w0 = difference<Number>(*facet.p0, *v[0]), w1 = difference<Number>(*facet.p1, *v[0]);
-  const Vector3<Number> n = cross(a, b);
-  const Number aa = dot(a, a), bb = dot(b, b);
-  if (!Precision<Number>::is_in_range(aa) || !Precision<Number>::is_in_range(bb)) return {};
-  const Number bound = Number(kCircleStartBound * Precision<Number>::kRoundoff) * aa * bb *
-                       (length(a) + length(b) + length(w0) + length(w1));
-  const Vector3<Number> y = Number(dot(n, n)) * (w0 + w1) + cross(aa * b - bb * a, n);
-  return direction_of_vector<Number>(y, bound, difference<Number>(*facet.p0, *facet.p1));
+  return start_at_circle<Number>(v, facet).direction();
 }
 
 // ---- Seen by a neighbour q of the facet ----
@@ -176,14 +155,12 @@ struct Bisector {
 
 // Inlined by force: returned through memory it costs more than its arithmetic.
 template <class Number>
+[[nodiscard, gnu::always_inline]] inline Bisector<Number> bisector(const Vector3<Number>& a, const Vector3<Number>& b) {
+  return {a, b, a + b, dot(a, b), Number(2) * (dot(a, a) + dot(b, b))};
+}
+template <class Number>
 [[nodiscard, gnu::always_inline]] inline Bisector<Number> bisector(FacetEdge facet, const Point& q) {
-  Bisector<Number> seen;
-  seen.a = difference<Number>(*facet.p0, q);
-  seen.b = difference<Number>(*facet.p1, q);
-  seen.g = seen.a + seen.b;
-  seen.h = dot(seen.a, seen.b);
-  seen.squared_size = Number(2) * (dot(seen.a, seen.a) + dot(seen.b, seen.b));
-  return seen;
+  return bisector<Number>(difference<Number>(*facet.p0, q), difference<Number>(*facet.p1, q));
 }
 
 // ---- Signs. They are linear forms in the direction. ----
@@ -200,24 +177,34 @@ template <class Number>
 
 // OrderOfExits: h_j <U,g_i> - h_i <U,g_j>. Value and bound are compared by their squares, which spares two roots: with
 // |h| <= G^2 / 4 and (G_i + G_j)^2 <= 2 (G_i^2 + G_j^2) the square of the error is at most
-// order_factor(x) G_i^2 G_j^2 (G_i^2 + G_j^2). A direction that is not known has an infinite factor.
+// order_factor(x) G_i^2 G_j^2 (G_i^2 + G_j^2).
 template <class Number>
-[[nodiscard]] Number order_factor(const Direction<Number>& x) {
-  if (!x.is_known()) return Number(HUGE_VAL);
-  const Number part = Number(0.25) * x.error + Number(kOrderBound * Precision<Number>::kRoundoff);
+[[nodiscard, gnu::always_inline]] inline Number order_factor(const Direction<Number>& x) {
+  const Number part = Number(kOrderTurn) * x.error + Number(kOrderBound * Precision<Number>::kRoundoff);
   return Number(2) * part * part;
+}
+template <class Number>
+struct OrderForm {
+  Number value;
+  Condition<Number> is_certain;
+};
+template <class Number>
+[[nodiscard, gnu::always_inline]] inline OrderForm<Number> order_form(const Direction<Number>& x, const Number& factor,
+                                                                      const Bisector<Number>& i,
+                                                                      const Bisector<Number>& j) {
+  const Number value = j.h * dot(x.u, i.g) - i.h * dot(x.u, j.g);
+  const Number bound = factor * (i.squared_size * j.squared_size * (i.squared_size + j.squared_size));
+  // Nothing of this is true of a NaN.
+  return {value, condition(x.is_known()) & condition(value * value > bound) &
+                     Precision<Number>::is_in_range(i.squared_size) & Precision<Number>::is_in_range(j.squared_size)};
 }
 template <class Number>
 [[nodiscard]] geometry::MaybeSign order_sign(const Direction<Number>& x, const Number& factor, FacetEdge facet,
                                              const Point& qi, const Point& qj) {
-  const Bisector<Number> i = bisector<Number>(facet, qi), j = bisector<Number>(facet, qj);
-  const Number value = j.h * dot(x.u, i.g) - i.h * dot(x.u, j.g);
-  const Number bound = factor * (i.squared_size * j.squared_size * (i.squared_size + j.squared_size));
-  // Nothing of this is true of a NaN.
-  const bool is_certain = value * value > bound && Precision<Number>::is_in_range(i.squared_size) &&
-                          Precision<Number>::is_in_range(j.squared_size);
-  if (!is_certain) return std::nullopt;
-  return value > 0 ? Sign::kPositive : Sign::kNegative;
+  const OrderForm<Number> form =
+      order_form<Number>(x, factor, bisector<Number>(facet, qi), bisector<Number>(facet, qj));
+  if (!form.is_certain) return std::nullopt;
+  return form.value > Number(0) ? Sign::kPositive : Sign::kNegative;
 }
 template <class Number>
 [[nodiscard]] geometry::MaybeSign order_sign(const Direction<Number>& x, FacetEdge facet, const Point& qi,

@@ -4,7 +4,6 @@
 // constructed.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "flow/kernels/direction.h"
@@ -45,64 +44,75 @@ template <class Number>
   }
   const Number size = sqrt(seen.squared_size) + drop_size;
   way.squared_size = size * size;
-  // Each cross product has an error of at most 6 roundoffs of the lengths' product.
-  const Number rounding(6 * Precision<Number>::kRoundoff);
+  const Number rounding(kAreaBound * Precision<Number>::kRoundoff);
   const Number here = length(cross(seen.a, seen.b)) + rounding * length(seen.a) * length(seen.b);
   const Number there = length(cross(to_0, to_1)) - rounding * length(to_0) * length(to_1);
-  way.squared_area_ratio = there > 0 ? Number(here * here / (there * there)) : Number(HUGE_VAL);
+  way.squared_area_ratio =
+      select(condition(there > Number(0)), Number(here * here / (there * there)), Number(HUGE_VAL));
   return way;
 }
 
-// The sign of <u,g>, or 0 if it is not certain. It is that of h, because s in x' = m + s u is h / <u,g>, and positive.
+// Whether <u,g> is certainly positive, or certainly negative. Its sign is that of h, because s in x' = m + s u is
+// h / <u,g>, and positive. So it is enough that one of them is certain.
 template <class Number>
-[[nodiscard]] int sign_of_way(const Number& approach, const Number& approach_bound, const Number& h,
-                              const Number& h_bound) {
-  if (approach > approach_bound || h > h_bound) return 1;
-  if (approach < -approach_bound || h < -h_bound) return -1;
-  return 0;
+struct SignOfWay {
+  Condition<Number> is_positive, is_negative;
+};
+template <class Number>
+[[nodiscard, gnu::always_inline]] inline SignOfWay<Number> sign_of_way(const Number& approach,
+                                                                       const Number& approach_bound, const Number& h,
+                                                                       const Number& h_bound) {
+  return {condition(approach > approach_bound) | condition(h > h_bound),
+          condition(approach < -approach_bound) | condition(h < -h_bound)};
 }
 
-// u' = A drop + 2 h u, with A = <u,g>; backward (A, h < 0) its opposite. The edges of the two facets are `e`, of
-// squared length ee, and `next`, of squared length next_ee.
+// u' = A drop + 2 h u, with A = <u,g>; backward (A, h < 0) its opposite. The edges of the two facets are `e` and
+// `next`. The lanes of direction_lanes.cpp share this, so there is no branch.
 template <class Number>
-[[nodiscard, gnu::always_inline]] inline Direction<Number> direction_behind(
-    const Direction<Number>& x, const Number& approach, const Number& h, const Number& squared_size,
-    const Passage<Number>& way, const Number& ee, const Vector3<Number>& next, const Number& next_ee) {
-  using std::abs;
+[[nodiscard, gnu::always_inline]] inline MaybeDirection<Number> direction_behind(const Direction<Number>& x,
+                                                                                 const Bisector<Number>& seen,
+                                                                                 const Passage<Number>& way,
+                                                                                 const Vector3<Number>& e,
+                                                                                 const Vector3<Number>& next) {
   using std::sqrt;
-  if (!x.is_known() || !Precision<Number>::is_in_range(squared_size) || !Precision<Number>::is_in_range(ee) ||
-      !Precision<Number>::is_in_range(next_ee)) {
-    return {};
-  }
+  const Number ee = dot(e, e), next_ee = dot(next, next);
   const Number roundoff(Precision<Number>::kRoundoff);
-  const Number size = sqrt(squared_size);
-  const Number angle_bound = Number(kAngleFormBound) * roundoff * squared_size;
-  const int sign = sign_of_way<Number>(approach, (x.error + Number(kExitBound) * roundoff) * size, h, angle_bound);
-  if (sign == 0) return {};
+  const Number size = sqrt(seen.squared_size), approach = dot(x.u, seen.g);
+  const Number angle_bound = Number(kAngleFormBound) * roundoff * seen.squared_size;
+  const SignOfWay<Number> sign =
+      sign_of_way<Number>(approach, (x.error + Number(kExitBound) * roundoff) * size, seen.h, angle_bound);
 
-  const Vector3<Number> y = approach * way.drop + Number(2) * h * x.u;
-  const Number inverse = Number(1) / sqrt(Number(dot(y, y)));
+  const Vector3<Number> y = approach * way.drop + Number(2) * seen.h * x.u;
+  const Number inverse = Number(1) / Number(sqrt(Number(dot(y, y))));
   const Number rounding = Number(kCrossingBound) * roundoff * way.squared_size * inverse;
-  // The map's determinant in the facets' planes, and its norm.
+  // The map's determinant in the facets' planes is 4 |h||h'| f |e'|/|e|, and its norm 2 max(|h|, |h'| f |e'|/|e|).
   const Number scaling = sqrt(Number(way.squared_area_ratio * next_ee / ee));
-  const Number height = (abs(way.height) + Number(kHeightBound) * roundoff * way.squared_size) * scaling;
-  const Number angle = abs(h) + angle_bound;
+  const Number height = (absolute(way.height) + Number(kHeightBound) * roundoff * way.squared_size) * scaling;
+  const Number angle = absolute(seen.h) + angle_bound;
   const Number turn = Number(4) * angle * height * inverse * inverse;
-  const Number norm = Number(2) * std::max(angle, height) * inverse;
+  const Number norm = Number(2) * most<Number>(angle, height) * inverse;
   const Number slack = (turn + norm) * x.error + rounding;
-  if (!(inverse > 0 && slack < Number(0.0625))) return {};
-  const Number factor = sign > 0 ? inverse : Number(-inverse);
-  return {factor * (y - Number(dot(y, next) / next_ee) * next),
-          (turn * x.error + rounding) * (Number(1) + Number(8) * slack)};
+  const Number factor = select(sign.is_positive, inverse, Number(-inverse));
+  return {{factor * (y - Number(dot(y, next) / next_ee) * next),
+           (turn * x.error + rounding) * (Number(1) + Number(kTangentBehind) * slack)},
+          condition(x.is_known()) & Precision<Number>::is_in_range(seen.squared_size) &
+              Precision<Number>::is_in_range(ee) & Precision<Number>::is_in_range(next_ee) &
+              (sign.is_positive | sign.is_negative) & condition(inverse > Number(0)) &
+              condition(slack < Number(kLargestError))};
 }
 
+template <class Number>
+[[nodiscard, gnu::always_inline]] inline MaybeDirection<Number> step_across(const Direction<Number>& x, FacetEdge from,
+                                                                            const Point& q, FacetEdge to) {
+  const Bisector<Number> seen = bisector<Number>(from, q);
+  return direction_behind<Number>(x, seen, passage(from, q, seen, to), difference<Number>(*from.p0, *from.p1),
+                                  difference<Number>(*to.p0, *to.p1));
+}
 template <class Number>
 [[nodiscard]] Direction<Number> direction_across(const Direction<Number>& x, FacetEdge from, const Point& q,
                                                  FacetEdge to) {
-  const Bisector<Number> seen = bisector<Number>(from, q);
-  const Vector3<Number> e = difference<Number>(*from.p0, *from.p1), next = difference<Number>(*to.p0, *to.p1);
-  return direction_behind<Number>(x, dot(x.u, seen.g), seen.h, seen.squared_size, passage(from, q, seen, to), dot(e, e),
-                                  next, dot(next, next));
+  if (!x.is_known()) return {};
+  return step_across<Number>(x, from, q, to).direction();
 }
 
 }  // namespace flowcert::flow
