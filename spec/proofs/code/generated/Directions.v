@@ -39,11 +39,11 @@ Definition x14 := Mul (Cst 1 1) (Add (Add (Add (Mul x8 x8) (Mul x9 x9)) (Mul x10
 Definition x15 := Sub (Mul (Add (Add (Mul x8 x11) (Mul x9 x12)) (Mul x10 x13)) (Add (Add (Mul (Var 18) (Add x1 x4)) (Mul
   (Var 19) (Add x2 x5))) (Mul (Var 20) (Add x3 x6)))) (Mul (Add (Add (Mul x1 x4) (Mul x2 x5)) (Mul x3 x6)) (Add (Add
   (Mul (Var 18) (Add x8 x11)) (Mul (Var 19) (Add x9 x12))) (Mul (Var 20) (Add x10 x13)))).
-Definition sign := If Less (Mul (Choose Less (Var 21) (Cst 1 0) (Mul (Mul (Cst 1 1) x0) x0) (Infinite)) (Mul (Mul x7
-  x14) (Add x7 x14))) (Mul x15 x15) (If LessEqual (Cst 8424983333484575 (-219)) x7 (If LessEqual x7 (Cst
-  2407412430484045 115) (If LessEqual (Cst 8424983333484575 (-219)) x14 (If LessEqual x14 (Cst 2407412430484045 115) (If
-  Less (Cst 0 0) x15 (Answer (Some Positive)) (Answer (Some Negative))) (Answer None)) (Answer None)) (Answer None))
-  (Answer None)) (Answer None).
+Definition sign := If Less (Var 21) (Cst 1 0) (If Less (Mul (Mul (Mul (Cst 1 1) x0) x0) (Mul (Mul x7 x14) (Add x7 x14)))
+  (Mul x15 x15) (If LessEqual (Cst 8424983333484575 (-219)) x7 (If LessEqual x7 (Cst 2407412430484045 115) (If LessEqual
+  (Cst 8424983333484575 (-219)) x14 (If LessEqual x14 (Cst 2407412430484045 115) (If Less (Cst 0 0) x15 (Answer (Some
+  Positive)) (Answer (Some Negative))) (Answer None)) (Answer None)) (Answer None)) (Answer None)) (Answer None))
+  (Answer None).
 End Order.
 
 Module Normal.
