@@ -136,6 +136,23 @@ Proof.
   - unfold F2R, u. cbn [Fnum Fexp]. rewrite bpow_plus. ring.
 Qed.
 
+Lemma error_below : forall e most : Q, Qle_bool e (most * unit) && Qle_bool 0 e = true ->
+  0 <= Q2R e <= Q2R most * u.
+Proof.
+  intros e most H. rewrite andb_true_iff, !Qle_bool_iff in H. destruct H as [H1 H2]. apply Qle_Rle in H1, H2.
+  rewrite Q2R_mult, unit_u in H1. replace (Q2R 0) with 0 in H2 by (unfold Q2R; cbn; lra). lra.
+Qed.
+Lemma constant_on_reals : forall k w x,
+  ((Z.abs (fst k) <? 2 ^ 53)%Z && (-900 <=? snd k)%Z && (snd k <=? 900)%Z && (snd kUnitRoundoff =? -53)%Z = true) ->
+  on_reals rnd w (in_roundoffs k) = val (on_doubles x (in_roundoffs k)).
+Proof.
+  intros [m e] w x H. unfold in_roundoffs. cbn [fst snd] in *.
+  rewrite !andb_true_iff, Z.ltb_lt, !Z.leb_le, Z.eqb_eq in H. destruct H as [[[H1 H2] H3] H4]. rewrite H4.
+  assert (L := mantissa_bits m H1).
+  destruct (normal_constant m (e + -53) (Z.log2 (Z.abs m) + 1 + (e + -53)) H1 ltac:(lia) ltac:(lia) eq_refl) as [_ W].
+  symmetry. exact W.
+Qed.
+
 Lemma known_is_direction : forall e y x, known_on_doubles e y x -> is_direction x.
 Proof. intros e y x [F K]. split; [intros k Hk; apply F; lia | apply K]. Qed.
 
@@ -227,11 +244,8 @@ Proof.
   assert (Error' : Q2R (error error_of_input approach) * size (size_of_input seen_from_edge x) approach <= 5.0002 * u *
     G).
   { cbn [size approach]. unfold size_of_input. cbn [Nat.eqb].
-    fold (d 1%nat) (d 2%nat). assert (Q : Q2R (error error_of_input approach) <= 5.0001001 * u).
-    { replace (5.0001001 * u) with (Q2R ((50001001 # 10000000) * unit)) by (rewrite Q2R_mult, unit_u; unfold Q2R; cbn;
-        lra). apply Qle_Rle, Qle_bool_iff. vm_compute. reflexivity. }
-    assert (Q0 : 0 <= Q2R (error error_of_input approach)).
-    { replace 0 with (Q2R 0) by (unfold Q2R; cbn; lra). apply Qle_Rle, Qle_bool_iff. vm_compute. reflexivity. }
+    fold (d 1%nat) (d 2%nat). destruct (error_below (error error_of_input approach) (50001001 # 10000000)) as [Q0 Q];
+      [vm_compute; reflexivity|]. replace (Q2R (50001001 # 10000000)) with 5.0001001 in Q by (unfold Q2R; cbn; lra).
     apply Rle_trans with (5.0001001 * u * ((1 + 16 * u) * (G * (1 + u)))).
     - generalize (len_nonneg (d 1%nat)) (len_nonneg (d 2%nat)). intros L1 L2.
       assert (0 <= 1 + 16 * u) by lra.
@@ -241,15 +255,167 @@ Proof.
     - rewrite Hu in *. lra. }
   assert (EB' : val (on_doubles x approach_bound) = rnd (rnd (t + val (on_doubles x (in_roundoffs kExitBound))) * val
     (on_doubles x (Root (size_square seen_from_edge 1 2))))).
-  { rewrite EB. unfold rounded. cbn [on_reals w]. unfold w. fold t. change (val (x 21%nat)) with t.
-    f_equal. f_equal. f_equal. f_equal. destruct (normal_constant (fst kExitBound) (snd kExitBound + snd kUnitRoundoff)
-      (Z.log2 (Z.abs (fst kExitBound)) + 1 + (snd kExitBound + snd kUnitRoundoff)) ltac:(vm_compute; reflexivity)
-      ltac:(vm_compute; discriminate) ltac:(vm_compute; split; discriminate) eq_refl) as [_ W]. symmetry. exact W. }
+  { rewrite EB. unfold rounded. cbn [on_reals w]. rewrite (constant_on_reals kExitBound _ x) by reflexivity.
+    reflexivity. }
   assert (Cover := approach_covers t _ G _ Ht Hc (fmt_val _) (fmt_val _) (proj1 HG) Lr).
   rewrite <- EB' in Cover.
   assert (Final : Rabs (val (on_doubles x (replace (inputs seen_from_edge) (flatten approach))) - dot (direction_of x)
     (vadd (d 1%nat) (d 2%nat))) <= 5.0002 * u * G) by (eapply Rle_trans; [exact Error | exact Error']).
   destruct (sign_of_certain _ (val (on_doubles x approach_bound)) _ scale (dot y (vadd (d 1%nat) (d 2%nat))) _ Final)
+    as [Up Down]; [lra | exact Ps|].
+  destruct (decided_on_doubles _ _ _ _ FV FB H) as [[-> Q]|[-> Q]]; cbn [is_sign]; [exact (Up Q) | exact (Down Q)].
+Qed.
+
+(* ---- AlongEdge ---- *)
+
+Definition seen_from_corner := [(2, 3); (2, 4)]%nat.
+Definition normal := Dot (Given 0) (Cross (Given 1) (Given 2)).
+Definition corner_square k := replace (inputs seen_from_corner) (square k).
+Definition normal_bound :=
+  Mul (Mul (Add error_variable (in_roundoffs kNormalBound)) (Root (corner_square 1))) (Root (corner_square 2)).
+Definition normal_needs : Q := 2206 # 100.
+
+Lemma normal_match : Code.Normal.sign =
+  If Less error_variable one
+    (If LessEqual low_square (corner_square 1) (If LessEqual (corner_square 1) high_square
+      (If LessEqual low_square (corner_square 2) (If LessEqual (corner_square 2) high_square
+        (decided (replace (inputs seen_from_corner) (flatten normal)) normal_bound) (Answer None)) (Answer None))
+      (Answer None)) (Answer None)) (Answer None).
+Proof. vm_compute. reflexivity. Qed.
+
+Lemma normal_covers : forall t c L M R S, 0 <= t <= 3 / 32 -> 22.06 * u <= c <= 1000 * u -> fmt t -> fmt c ->
+  / 10 ^ 26 <= L -> / 10 ^ 26 <= M -> L * (1 - 3.51 * u) <= R -> M * (1 - 3.51 * u) <= S ->
+  (t + 12 * u) * (1 + 16 * u) * (L * M) + 7.4146 * u * (L * M) <= rnd (rnd (rnd (t + c) * R) * S).
+Proof.
+  intros t c L M R S Ht Hc Ft Fc HL HM HR HS. generalize u_pos u_val. intros U0 Hu.
+  assert (P := rnd_plus t c Ft Fc). rewrite (Rabs_pos_eq (t + c)) in P by lra. apply Rabs_le_inv in P.
+  assert (LM : / 10 ^ 52 <= L * M).
+  { replace (/ 10 ^ 52) with (/ 10 ^ 26 * / 10 ^ 26) by (rewrite <- Rinv_mult, <- pow_add; reflexivity).
+    apply Rmult_le_compat; auto; left; apply Rinv_0_lt_compat, pow_lt; lra. }
+  set (N := L * M) in *. assert (N0 : 0 < N).
+  { eapply Rlt_le_trans; [|exact LM]. apply Rinv_0_lt_compat, pow_lt. lra. }
+  assert (L0 : 0 < L) by (eapply Rlt_le_trans; [|exact HL]; apply Rinv_0_lt_compat, pow_lt; lra).
+  assert (M0 : 0 < M) by (eapply Rlt_le_trans; [|exact HM]; apply Rinv_0_lt_compat, pow_lt; lra).
+  assert (T : 0 <= t * N <= 3 / 32 * N) by (split; [apply Rmult_le_pos; lra | apply Rmult_le_compat_r; lra]).
+  assert (C : 22.06 * u * N <= c * N <= 1000 * u * N) by (split; apply Rmult_le_compat_r; lra).
+  assert (V : 0 < 1 - 3.51 * u) by (rewrite Hu; lra).
+  set (Z := (t + c) * (1 - u) * (L * (1 - 3.51 * u))).
+  assert (P0 : 22 * u <= (t + c) * (1 - u)) by (rewrite Hu in *; lra).
+  assert (HZ : Z <= rnd (t + c) * R).
+  { apply Rmult_le_compat; [lra | apply Rmult_le_pos; lra | lra | exact HR]. }
+  assert (Low : 21 * u * L <= Z).
+  { unfold Z. apply Rle_trans with (22 * u * (L * (1 - 3.51 * u))); [|apply Rmult_le_compat_r; [apply Rmult_le_pos;
+      lra | exact P0]]. rewrite Hu. lra. }
+  assert (Tau : forall z w, / 10 ^ 60 <= z -> 20 * u * z <= w -> tau <= w).
+  { intros z w H1 H2. eapply Rle_trans; [apply (tau_below z); eapply Rle_trans; [|exact H1]; apply Rinv_le; [apply
+      pow_lt; lra | apply Rle_pow; [lra | lia]]|]. eapply Rle_trans; [|exact H2]. rewrite Hu. lra. }
+  assert (Deep : forall k w, (k <= 60)%nat -> / 10 ^ k <= w -> / 10 ^ 60 <= w).
+  { intros k w H1 H2. eapply Rle_trans; [|exact H2]. apply Rinv_le; [apply pow_lt; lra | apply Rle_pow; [lra | lia]]. }
+  assert (uL : 0 < u * L) by (apply Rmult_lt_0_compat; lra).
+  assert (Q := rnd_lower _ Z (Tau L Z (Deep 26%nat L ltac:(lia) HL) ltac:(lra)) HZ).
+  set (Y := Z * (1 - 2 * u) * (M * (1 - 3.51 * u))).
+  assert (Z0 : 0 < Z) by (eapply Rlt_le_trans; [|exact Low]; lra).
+  assert (HY : Y <= rnd (rnd (t + c) * R) * S).
+  { apply Rmult_le_compat; [apply Rmult_le_pos; rewrite ?Hu; lra | apply Rmult_le_pos; lra | lra | exact HS]. }
+  assert (EY : Y = (t * N + c * N) * ((1 - u) * (1 - 2 * u) * ((1 - 3.51 * u) * (1 - 3.51 * u))))
+    by (unfold Y, Z, N; ring).
+  assert (LowY : 20 * u * N <= Y) by (rewrite EY; rewrite Hu in *; lra).
+  eapply Rle_trans; [|exact (rnd_lower _ Y (Tau N Y (Deep 52%nat N ltac:(lia) LM) LowY) HY)].
+  rewrite EY. replace ((t + 12 * u) * (1 + 16 * u) * N) with ((t * N + 12 * u * N) * (1 + 16 * u)) by ring.
+  rewrite Hu in *. lra.
+Qed.
+
+Lemma root_of_corner : forall x k, 0 < val (on_doubles (fun n => on_doubles x (inputs seen_from_corner n)) (square (S
+  k))) <= bpow radix2 176 -> finite (on_doubles (fun n => on_doubles x (inputs seen_from_corner n)) (square (S k))) ->
+  let r := on_doubles x (Root (corner_square (S k))) in finite r /\ Rabs (val r) <= bpow radix2 88 /\
+  val r = rnd (sqrt (val (on_doubles (fun n => on_doubles x (inputs seen_from_corner n)) (square (S k))))).
+Proof.
+  intros x k [P B] F r. unfold r, corner_square. cbn [on_doubles]. rewrite on_doubles_replace.
+  destruct (root_forward _ F P) as [Fr Er]. split; [exact Fr|]. rewrite Er. split; [|reflexivity].
+  apply rnd_power; [lia|]. rewrite Rabs_pos_eq by apply sqrt_pos.
+  apply Rle_trans with (sqrt (bpow radix2 88 * bpow radix2 88)); [|rewrite sqrt_square by apply bpow_ge_0; lra].
+  apply sqrt_le_1_alt. rewrite <- bpow_plus. exact B.
+Qed.
+
+Theorem normal_right : forall e y x s, known_on_doubles e y x -> run x Code.Normal.sign = Some s ->
+  is_sign s (dot y (cross (vsub (point x 3) (point x 2)) (vsub (point x 4) (point x 2)))).
+Proof.
+  intros e y x s K H. rewrite normal_match in H. cbn [run] in H.
+  destruct (compare_doubles Less _ _); [|discriminate].
+  destruct (compare_doubles LessEqual (on_doubles x low_square) (on_doubles x (corner_square 1))) eqn:HL; [|discriminate].
+  destruct (compare_doubles LessEqual (on_doubles x (corner_square 1)) _) eqn:HH; [|discriminate].
+  destruct (compare_doubles LessEqual (on_doubles x low_square) (on_doubles x (corner_square 2))) eqn:HL2;
+    [|discriminate].
+  destruct (compare_doubles LessEqual (on_doubles x (corner_square 2)) _) eqn:HH2; [|discriminate].
+  set (z n := on_doubles x (inputs seen_from_corner n)).
+  assert (R1 : square_in_range z (square 1)).
+  { unfold corner_square in HL, HH. rewrite on_doubles_replace in HL, HH. split; assumption. }
+  assert (R2 : square_in_range z (square 2)).
+  { unfold corner_square in HL2, HH2. rewrite on_doubles_replace in HL2, HH2. split; assumption. }
+  destruct (length_back seen_from_corner x 0 R1) as [F1 [B1 [H1 [L1 P1]]]].
+  destruct (length_back seen_from_corner x 1 R2) as [F2 [B2 [H2 [L2 P2]]]].
+  destruct (root_of_corner x 0 P1 F1) as [Fr1 [Br1 Er1]]. destruct (root_of_corner x 1 P2 F2) as [Fr2 [Br2 Er2]].
+  rewrite <- Er1 in L1. rewrite <- Er2 in L2.
+  set (d k := value_of_vector (exact_inputs seen_from_corner x) k) in *.
+  change (value_of_vector (exact_inputs seen_from_corner x) 1) with (d 1%nat) in *.
+  change (value_of_vector (exact_inputs seen_from_corner x) 2) with (d 2%nat) in *.
+  destruct K as [Fx K].
+  destruct (height (top_of_inputs 3) (flatten normal)) as [top|] eqn:Top; [|vm_compute in Top; discriminate].
+  destruct (value_of_inputs 3 normal top seen_from_corner x) as [FV [_ Error]]; [vm_compute; reflexivity | exact Top |
+    apply (known_is_direction e y); split; assumption | |].
+  { intros k Hk. destruct k as [|[|[|k]]]; [lia | eexists; split; [exact B1 | lra] | eexists; split; [exact B2 | lra] |
+      lia]. }
+  rewrite <- on_doubles_replace in FV, Error.
+  destruct (header_constant kNormalBound normal_needs 1000 eq_refl x) as [Fc Hc].
+  replace (Q2R normal_needs) with 22.06 in Hc by (unfold Q2R; cbn; lra).
+  replace (Q2R 1000) with 1000 in Hc by (unfold Q2R; cbn; lra).
+  set (t := error_of x). assert (Ht : 0 <= t <= 3 / 32) by apply K.
+  set (w n := match n with 0%nat => x 21%nat | 1%nat => on_doubles x (Root (corner_square 1))
+                         | _ => on_doubles x (Root (corner_square 2)) end).
+  destruct (forward w (fun n => match n with 0%nat => 0 | 1%nat | 2%nat => 88 | _ => 5000 end)%Z
+    (Mul (Mul (Add (Var 0) (in_roundoffs kNormalBound)) (Var 1)) (Var 2)) 177) as [FB [EB _]].
+  { intros [|[|[|n]]] Hn; [| | | discriminate Hn]; cbn [w].
+    - split; [apply Fx; lia|]. change (val (x 21%nat)) with t. change (bpow radix2 0) with 1. rewrite Rabs_pos_eq; lra.
+    - split; [exact Fr1 | exact Br1].
+    - split; [exact Fr2 | exact Br2]. }
+  { vm_compute. reflexivity. }
+  change (on_doubles w (Mul (Mul (Add (Var 0) (in_roundoffs kNormalBound)) (Var 1)) (Var 2)))
+    with (on_doubles x normal_bound) in *.
+  destruct (form_of_known e y _ _ K) as [scale [Ps Form]].
+  assert (Exact : exact (exact_inputs seen_from_corner x) (flatten normal) = dot (direction_of x) (cross (d 1%nat) (d
+    2%nat))).
+  { unfold exact, d, direction_of, value_of_vector, dot, cross. reflexivity. }
+  rewrite Exact in Error. specialize (Form (cross (d 1%nat) (d 2%nat))). fold t in Form.
+  set (N := len (d 1%nat) * len (d 2%nat)). assert (Long := cross_len (d 1%nat) (d 2%nat)). fold N in Long.
+  generalize u_pos u_val. intros U0 Hu.
+  assert (Form' : Rabs (dot (direction_of x) (cross (d 1%nat) (d 2%nat)) - scale * dot y (cross (d 1%nat) (d 2%nat)))
+    <= (t + 12 * u) * (1 + 16 * u) * N).
+  { eapply Rle_trans; [exact Form|]. apply Rmult_le_compat_l; [apply Rmult_le_pos; lra | exact Long]. }
+  assert (P43 : 0 < / 10 ^ 43) by (apply Rinv_0_lt_compat, pow_lt; lra).
+  assert (Error' : Q2R (error error_of_input normal) * size (size_of_input seen_from_corner x) normal <= 7.4146 * u *
+    N).
+  { cbn [size normal]. unfold size_of_input. cbn [Nat.eqb].
+    fold (d 1%nat) (d 2%nat). destruct (error_below (error error_of_input normal) (74145 # 10000)) as [Q0 Q];
+      [vm_compute; reflexivity|]. replace (Q2R (74145 # 10000)) with 7.4145 in Q by (unfold Q2R; cbn; lra).
+    assert (N0 : 0 <= N) by (apply Rmult_le_pos; apply len_nonneg).
+    apply Rle_trans with (7.4145 * u * ((1 + 16 * u) * (N * ((1 + u) * (1 + u))))).
+    - assert (0 <= 1 + 16 * u) by lra. generalize (len_nonneg (d 1%nat)) (len_nonneg (d 2%nat)). intros.
+      apply Rmult_le_compat; [exact Q0 | | exact Q |].
+      + apply Rmult_le_pos; [lra|]. apply Rmult_le_pos; lra.
+      + apply Rmult_le_compat_l; [lra|]. unfold N.
+        replace (len (d 1%nat) * len (d 2%nat) * ((1 + u) * (1 + u)))
+          with ((len (d 1%nat) * (1 + u)) * (len (d 2%nat) * (1 + u))) by ring.
+        apply Rmult_le_compat; rewrite Hu in *; lra.
+    - rewrite Hu in *. lra. }
+  assert (EB' : val (on_doubles x normal_bound) = rnd (rnd (rnd (t + val (on_doubles x (in_roundoffs kNormalBound))) *
+    val (on_doubles x (Root (corner_square 1)))) * val (on_doubles x (Root (corner_square 2))))).
+  { rewrite EB. unfold rounded. cbn [on_reals w]. rewrite (constant_on_reals kNormalBound _ x) by reflexivity.
+    reflexivity. }
+  assert (Cover := normal_covers t _ _ _ _ _ Ht Hc (fmt_val _) (fmt_val _) (proj1 H1) (proj1 H2) L1 L2). fold N in Cover.
+  rewrite <- EB' in Cover.
+  assert (Final : Rabs (val (on_doubles x (replace (inputs seen_from_corner) (flatten normal))) - dot (direction_of x)
+    (cross (d 1%nat) (d 2%nat))) <= 7.4146 * u * N) by (eapply Rle_trans; [exact Error | exact Error']).
+  destruct (sign_of_certain _ (val (on_doubles x normal_bound)) _ scale (dot y (cross (d 1%nat) (d 2%nat))) _ Final)
     as [Up Down]; [lra | exact Ps|].
   destruct (decided_on_doubles _ _ _ _ FV FB H) as [[-> Q]|[-> Q]]; cbn [is_sign]; [exact (Up Q) | exact (Down Q)].
 Qed.

@@ -351,4 +351,28 @@ Proof.
   replace (INR 6 / 2 + 1.01) with 4.01 in G3 by (cbn; lra).
   repeat split; lra.
 Qed.
+
+Theorem length_back : forall k, square_in_range x (square (S k)) ->
+  let S2 := val (on_doubles x (square (S k))) in
+  finite (on_doubles x (square (S k))) /\ bounded_vector (S k) (len (d (S k))) /\
+  / 10 ^ 26 <= len (d (S k)) <= 10 ^ 26 /\ len (d (S k)) * (1 - 3.51 * u) <= rnd (sqrt S2) /\ 0 < S2 <= bpow radix2 176.
+Proof.
+  intros k R S2. destruct (square_range_back x _ R) as [F B]. fold S2 in B. split; [exact F|].
+  destruct (difference_back pairs y k F) as [C [M [A E]]]. fold x in C, M, A, E. fold (v (S k)) (d (S k)) in M, A, E.
+  fold S2 in E.
+  assert (Err : Rabs (S2 - len (d (S k)) * len (d (S k))) <= Rounding.E 5 * (len (d (S k)) * len (d (S k)) + 12 * tau)).
+  { rewrite len_sq. destruct (rdot_approx 1 1 _ _ _ _ A A) as [_ P _]. rewrite absdot_self in P.
+    change (1 + 1 + 3)%nat with 5%nat in P. rewrite E. eapply Rle_trans; [exact P|].
+    apply Rmult_le_compat_l; [apply E_nonneg | generalize tau_pos; lra]. }
+  destruct (root_of_square 5 S2 _ ltac:(lia) (len_nonneg _) ltac:(lra) Err) as [G1 [G2 [G3 G4]]].
+  split; [split; [exact C | apply close_difference; assumption | lra]|].
+  replace (INR 5 / 2 + 1.01) with 3.51 in G3 by (cbn; lra).
+  split; [split; [exact G1|]|].
+  - apply Rnot_lt_le. intro N. assert (10 ^ 26 * 10 ^ 26 <= len (d (S k)) * len (d (S k)))
+      by (apply Rmult_le_compat; lra). generalize u_val. intro Hu. rewrite Hu in *. lra.
+  - split; [exact G3|]. split; [lra|]. apply Rle_trans with (10 ^ 50 * 1.001); [lra|].
+    change (bpow radix2 176) with (IZR (2 ^ 176)). apply Rle_trans with (IZR (10 ^ 50 * 2)).
+    + rewrite mult_IZR. change (10 ^ 50)%Z with (10 ^ Z.of_nat 50)%Z. rewrite <- pow_IZR. lra.
+    + apply IZR_le. vm_compute. discriminate.
+Qed.
 End Seen.
