@@ -14,6 +14,7 @@
 
 #include "flow/kernels/direction_bounds.h"
 #include "geometry/distance_filter.h"
+#include "geometry/double_double.h"
 #include "geometry/filter_bounds.h"
 #include "geometry/integer_grid.h"
 #include "geometry/predicates.h"
@@ -117,6 +118,34 @@ CoqModule distances_module() {
   return module;
 }
 
+// Two doubled numbers have the variables 0 and 1, and 2 and 3: high part and low part. Two doubles have 0 and 1.
+CoqModule doubled_module() {
+  using Doubled = DoubledNumber<RecordedDouble>;
+  CoqModule module("Doubled");
+  const RecordedDouble a = RecordedDouble::variable(0), b = RecordedDouble::variable(1);
+  const Doubled x = Doubled::of_parts(a, b);
+  const Doubled y = Doubled::of_parts(RecordedDouble::variable(2), RecordedDouble::variable(3));
+  std::vector<CoqModule::Named> named;
+  const auto name = [&](const std::string& operation, const Doubled& result) {
+    named.push_back({operation + "_high", result.high().term()});
+    named.push_back({operation + "_low", result.low().term()});
+  };
+  name("sum", Doubled::sum(a, b));
+  name("product", Doubled::product(a, b));
+  name("plus", x + y);
+  name("minus", x - y);
+  name("times", x * y);
+  name("quotient", x / y);
+  module.define(named);
+  module.define("root_high", recorded_function([&] { return CoqAnswer(sqrt(x).high().term()); }));
+  module.define("root_low", recorded_function([&] { return CoqAnswer(sqrt(x).low().term()); }));
+  module.define("absolute_high", recorded_function([&] { return CoqAnswer(abs(x).high().term()); }));
+  module.define("absolute_low", recorded_function([&] { return CoqAnswer(abs(x).low().term()); }));
+  module.define("is_less",
+                recorded_function([&] { return x < y ? CoqAnswer(MaybeSign(Sign::kPositive)) : kNoAnswer; }));
+  return module;
+}
+
 using namespace flow;
 
 struct Constant {
@@ -125,20 +154,25 @@ struct Constant {
 };
 #define CONSTANT(name) \
   Constant { #name, static_cast<double>(name) }
-constexpr Constant kConstants[] = {
-    CONSTANT(kUnitRoundoff),       CONSTANT(kSmallestNorm),       CONSTANT(kLargestNorm),
-    CONSTANT(kAngleBound),         CONSTANT(kOrientationBound),   CONSTANT(kSideOfPlaneBound),
-    CONSTANT(kOutsideSphereBound), CONSTANT(kOutsideCircleBound), CONSTANT(kCellAngleBound),
-    CONSTANT(kCellSideBound),      CONSTANT(kFarCellSideBound),   CONSTANT(kExactReach),
-    CONSTANT(kDistanceBound),      CONSTANT(kPositionBound),      CONSTANT(kDistanceUnderflow),
-    CONSTANT(kLargestDistance),    CONSTANT(kWideBits),           CONSTANT(kNarrowBits),
-    CONSTANT(kSmallBits),          CONSTANT(kVertexStartBound),   CONSTANT(kCircleStartBound),
-    CONSTANT(kSideStartBound),     CONSTANT(kGivenStartBound),    CONSTANT(kCrossingBound),
-    CONSTANT(kAngleFormBound),     CONSTANT(kHeightBound),        CONSTANT(kExitBound),
-    CONSTANT(kOrderBound),         CONSTANT(kNormalBound),        CONSTANT(kAreaBound),
-    CONSTANT(kSmallestSquare),     CONSTANT(kLargestSquare),      CONSTANT(kLargestError),
-    CONSTANT(kTangentOfSine),      CONSTANT(kTangentBehind),      CONSTANT(kOrderTurn),
-    CONSTANT(kCrossingSlack)};
+constexpr Constant kConstants[] = {CONSTANT(kUnitRoundoff),       CONSTANT(kSmallestNorm),
+                                   CONSTANT(kLargestNorm),        CONSTANT(kAngleBound),
+                                   CONSTANT(kOrientationBound),   CONSTANT(kSideOfPlaneBound),
+                                   CONSTANT(kOutsideSphereBound), CONSTANT(kOutsideCircleBound),
+                                   CONSTANT(kCellAngleBound),     CONSTANT(kCellSideBound),
+                                   CONSTANT(kFarCellSideBound),   CONSTANT(kExactReach),
+                                   CONSTANT(kDistanceBound),      CONSTANT(kPositionBound),
+                                   CONSTANT(kDistanceUnderflow),  CONSTANT(kLargestDistance),
+                                   CONSTANT(kWideBits),           CONSTANT(kNarrowBits),
+                                   CONSTANT(kSmallBits),          CONSTANT(kVertexStartBound),
+                                   CONSTANT(kCircleStartBound),   CONSTANT(kSideStartBound),
+                                   CONSTANT(kGivenStartBound),    CONSTANT(kCrossingBound),
+                                   CONSTANT(kAngleFormBound),     CONSTANT(kHeightBound),
+                                   CONSTANT(kExitBound),          CONSTANT(kOrderBound),
+                                   CONSTANT(kNormalBound),        CONSTANT(kAreaBound),
+                                   CONSTANT(kSmallestSquare),     CONSTANT(kLargestSquare),
+                                   CONSTANT(kLargestError),       CONSTANT(kTangentOfSine),
+                                   CONSTANT(kTangentBehind),      CONSTANT(kOrderTurn),
+                                   CONSTANT(kCrossingSlack),      {"kDoubledRoundoff", DoubleDouble::kRoundoff}};
 #undef CONSTANT
 
 void write(const std::filesystem::path& path, const std::string& text) {
@@ -166,6 +200,7 @@ void write_all(const std::filesystem::path& folder) {
   std::string directions = start;
   for (const CoqModule& module : direction_modules()) directions += "\n" + module.text();
   write(folder / "Directions.v", directions);
+  write(folder / "Doubled.v", start + "\n" + doubled_module().text());
   write(folder / "Cells.v", start + "\n" + cell_module().text() + "\n" + cell_integers_module().text());
 }
 
