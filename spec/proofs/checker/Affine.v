@@ -245,3 +245,60 @@ Proof.
       generalize (Rmin_l e f), (Rmin_r e f). intros. destruct Hk as [<-|Hk]; [apply Hh; lra | apply Hs; auto; lra].
     + exists e. split; auto. intros k z [<-|Hk] Pk Hz; [lra | apply Hs; auto].
 Qed.
+
+(* ---- Weights on fewer points ---- *)
+
+Lemma dist2_mix : forall a y x z e, 0 <= a <= 1 -> dist2 y z < e -> dist2 x z < e -> dist2 (mix a y x) z < e.
+Proof.
+  intros a y x z e Ha Hy Hx.
+  assert (E : dist2 (mix a y x) z = (1 - a) * dist2 y z + a * dist2 x z - a * (1 - a) * dot (vsub x y) (vsub x y)).
+  { unfold mix. clear. vdestruct; vunfold; ring. }
+  assert (0 <= a * (1 - a) * dot (vsub x y) (vsub x y)) by
+    (apply Rmult_le_pos; [apply Rmult_le_pos; lra | apply dot_self_nonneg]).
+  assert (0 <= (1 - a) * (e - dist2 y z)) by (apply Rmult_le_pos; lra).
+  destruct (Req_dec a 0) as [->|N]; [lra|].
+  assert (0 < a * (e - dist2 x z)) by (apply Rmult_lt_0_compat; lra). lra.
+Qed.
+Lemma dist2_refl : forall x, dist2 x x = 0.
+Proof. intro x. vdestruct; vunfold; ring. Qed.
+Lemma dist2_zero : forall x y, dist2 x y = 0 -> x = y.
+Proof.
+  intros x y H. apply dot_self_zero in H. destruct x, y. unfold vsub, vzero in H. simpl in H.
+  injection H; intros. apply vec_eq; simpl; lra.
+Qed.
+Lemma dist2_sym : forall x y, dist2 x y = dist2 y x.
+Proof. intros. vdestruct; vunfold; ring. Qed.
+
+Lemma total_filter : forall u (f : vec -> bool) g, (forall v, In v u -> f v = false -> g v = 0) ->
+  total (filter f u) g = total u g.
+Proof.
+  intros u f g. unfold total. induction u as [|v u IH]; simpl; intro H; auto.
+  destruct (f v) eqn:E; simpl; rewrite IH by auto; auto. rewrite (H v) by auto. lra.
+Qed.
+Lemma comb_total : forall (w : vec -> R) s,
+  comb (map w s) s = V (total s (fun v => w v * vx v)) (total s (fun v => w v * vy v)) (total s (fun v => w v * vz v)).
+Proof. intros w s. unfold total. induction s as [|v s IH]; simpl; auto. rewrite IH. reflexivity. Qed.
+
+Lemma conv_incl : forall s C x, incl s C -> in_conv s x -> in_conv C x.
+Proof.
+  intros s C x I [w [L [N [S E]]]].
+  assert (G : forall w s, length w = length s -> Forall (fun a => 0 <= a) w -> incl s C ->
+    exists u, length u = length C /\ Forall (fun a => 0 <= a) u /\ sum u = sum w /\ comb u C = comb w s).
+  { clear. induction w as [|a w IH]; intros [|p s] L N I; try discriminate.
+    - exists (repeat 0 (length C)). repeat split.
+      + apply repeat_length.
+      + apply Forall_repeat. lra.
+      + rewrite sum_repeat. simpl. ring.
+      + simpl. clear. induction C as [|q C IH]; simpl; auto. rewrite IH. apply vec_eq; vunfold; ring.
+    - inversion N as [|? ? Na Nw]; subst.
+      destruct (IH s) as [u [Lu [Nu [Su Eu]]]]; auto; [intros q Hq; apply I; right; auto|].
+      destruct (hull_point C p (I p (or_introl eq_refl))) as [k [Lk [Nk [Sk Ek]]]].
+      exists (ladd (lscale a k) u). repeat split.
+      + apply ladd_length; rewrite ?lscale_length; auto.
+      + assert (Lku : length k = length u) by congruence. clear - Nk Nu Na Lku. revert u Nu Lku.
+        induction Nk; intros [|c u] Nu Lku; try discriminate; simpl; constructor; inversion Nu; subst; auto.
+        generalize (Rmult_le_pos a x). lra.
+      + rewrite sum_ladd, sum_lscale, Sk, Su by (rewrite lscale_length; congruence). simpl. ring.
+      + rewrite comb_ladd, comb_lscale, Ek, Eu by (rewrite ?lscale_length; auto). reflexivity. }
+  destruct (G w s L N I) as [u [Lu [Nu [Su Eu]]]]. exists u. repeat split; auto; congruence.
+Qed.
