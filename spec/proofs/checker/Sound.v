@@ -80,7 +80,10 @@ Lemma inner_side_turn : forall rows n k c i x, (i < length c <= 4)%nat ->
   inner_side rows n (facet_at k c i) x =
   signed (turn_of (facet_at k c i)) (volume n (seen_from x (places rows (samples_of (facet_at k c i))))).
 Proof.
-  intros rows n k c i x [B L]. unfold inner_side, facet_at, face_of, vertices, sided. simpl.
+  intros rows n k c i x [B L].
+  change (signed (Nat.odd i) (volume n (seen_from x (places rows (without i c)))) =
+          signed (xorb false (xorb (Nat.odd i) (is_odd (without i c))))
+            (volume n (seen_from x (places rows (sorted (without i c)))))).
   rewrite volume_sorted.
   - rewrite xorb_false_l, <- signed_signed. reflexivity.
   - destruct (nth_parts c i B) as [l1 [l2 [E [_ W]]]]. rewrite W. rewrite E in L.
@@ -90,8 +93,10 @@ Lemma inner_side_in_place : forall rows n k c i x l1 p l2, (length c <= 4)%nat -
   inner_side rows n (facet_at k c i) x = volume n (edges (places rows l1 ++ x :: places rows l2)).
 Proof.
   intros rows n k c i x l1 p l2 L -> <-. rewrite volume_in_place.
-  - unfold inner_side, facet_at, face_of, vertices, sided. simpl. rewrite without_split, places_app.
-    unfold places at 3. rewrite map_length. reflexivity.
+  - rewrite <- places_app. replace (length (places rows l1)) with (length l1) by (symmetry; apply map_length).
+    change (signed (Nat.odd (length l1)) (volume n (seen_from x (places rows (without (length l1) (l1 ++ p :: l2))))) =
+            signed (Nat.odd (length l1)) (volume n (seen_from x (places rows (l1 ++ l2))))).
+    rewrite without_split. reflexivity.
   - rewrite app_length in *. simpl in *. unfold places. rewrite !map_length. auto.
 Qed.
 Lemma inner_side_own : forall rows n k c i, (i < length c <= 4)%nat ->
@@ -221,13 +226,13 @@ Proof.
     (forall x, (In x (real rows c) /\ x <> emb (place rows (nth i c 0%nat))) ->
                (In x (real rows c') /\ x <> emb (place rows (nth j c' 0%nat)))) ->
     forall q, In q (without i c) -> In q (without j c')).
-  { clear - acc. intros c c' i j Hc Hc' Bi Bj A q Hq. apply in_without in Hq; auto. destruct Hq as [Hq D].
-    assert (Nq : In q (names rows)) by (apply (acc_names _ _ _ acc c); auto).
-    destruct (A (emb (place rows q))) as [I J].
+  { intros c1 c2 i1 i2 H1 H2 B1 B2 A12 q Hq. apply in_without in Hq; auto. destruct Hq as [Hq D].
+    assert (Nq : In q (names rows)) by (apply (acc_names _ _ _ acc c1); auto).
+    destruct (A12 (emb (place rows q))) as [I J].
     { split; [apply (in_map (fun i => emb (place rows i))); auto|]. intro E. apply D.
-      apply place_injective; auto. apply (acc_names _ _ _ acc c); auto. apply nth_In; auto. }
+      apply place_injective; auto. apply (acc_names _ _ _ acc c1); auto. apply nth_In; auto. }
     apply in_map_iff in I. destruct I as [q' [E I]].
-    assert (q' = q) by (apply place_injective; auto; apply (acc_names _ _ _ acc c'); auto). subst q'.
+    assert (q' = q) by (apply place_injective; auto; apply (acc_names _ _ _ acc c2); auto). subst q'.
     apply in_without; auto. split; auto. intros ->. apply J. reflexivity. }
   apply sorted_permutation. apply NoDup_Permutation; try (apply without_nodup; auto).
   intro q. split; apply Half; auto; intros x Hx; subst v v'; apply A; auto.
@@ -242,12 +247,12 @@ Proof.
   - assert (Half : forall c c' i j x, In c cells -> In c' cells -> (i < length c)%nat -> (j < length c')%nat ->
       sorted (without i c) = sorted (without j c') -> In x (real rows c) -> x <> emb (place rows (nth i c 0%nat)) ->
       In x (real rows c') /\ x <> emb (place rows (nth j c' 0%nat))).
-    { clear - acc. intros c c' i j x Hc Hc' Bi Bj E Hx D. apply in_map_iff in Hx. destruct Hx as [q [<- Hq]].
-      assert (W : In q (without j c')).
-      { apply in_sorted. rewrite <- E. apply in_sorted. apply in_without; auto. split; auto. congruence. }
+    { intros c1 c2 i1 i2 x H1 H2 B1 B2 E12 Hx D. apply in_map_iff in Hx. destruct Hx as [q [<- Hq]].
+      assert (W : In q (without i2 c2)).
+      { apply in_sorted. rewrite <- E12. apply in_sorted. apply in_without; auto. split; auto. congruence. }
       apply in_without in W; auto. destruct W as [W F]. split.
       - apply (in_map (fun i => emb (place rows i))); auto.
-      - intro G. apply F. apply place_injective; auto; apply (acc_names _ _ _ acc c'); auto. apply nth_In; auto. }
+      - intro G. apply F. apply place_injective; auto; apply (acc_names _ _ _ acc c2); auto. apply nth_In; auto. }
     intro x. split; intros [H1 H2]; [apply (Half c c' i j) | apply (Half c' c j i)]; auto.
 Qed.
 
