@@ -18,12 +18,12 @@ Section Delaunay.
 Variable P : list vec.
 Variable cells : list (list vec).
 Variable b : list vec -> vec -> vec -> R.
-Hypothesis proper : proper_cells P cells b.
-Hypothesis glued : glued_cells P cells b.
+Hypothesis proper : proper_cells (in_conv P) affine P cells b.
+Hypothesis glued : glued_cells (in_conv P) cells b.
 Hypothesis local : local_delaunay P cells.
-Let b_affine := coord_affine _ _ _ proper.
-Let b_one := coord_one _ _ _ proper.
-Let b_zero := coord_zero _ _ _ proper.
+Let b_affine := coord_lin proper.
+Let b_one := coord_one proper.
+Let b_zero := coord_zero proper.
 
 (* ---- 5: convexity ---- *)
 
@@ -32,56 +32,42 @@ Lemma same_power : forall u z r2 z' s2 x, In u cells -> in_conv P x -> on_sphere
 Proof.
   intros u z r2 z' s2 x Hu Hx S S'.
   assert (power z r2 x - power z' s2 x = 0); [|lra].
-  rewrite (expand _ _ _ proper u (fun x => power z r2 x - power z' s2 x)) by (auto using power_difference).
+  rewrite (expand proper u (fun x => power z r2 x - power z' s2 x)) by (auto using power_difference).
   apply total_zero. intros v Hv. rewrite S, S' by auto. ring.
 Qed.
 
-(* Along the walk from y to x, the power to the sphere of the cell where it is does not exceed that to the first one. *)
-Lemma walk_monotone : forall y x t z r2 a u, In t cells -> in_conv P y -> in_conv P x -> on_sphere z r2 t ->
-  reached P cells b y x t a u ->
-  In u cells /\ 0 <= a <= 1 /\ forall z' s2 a', on_sphere z' s2 u -> a <= a' <= 1 ->
-    power z' s2 (mix a' y x) <= power z r2 (mix a' y x).
+Lemma choose_spheres : exists centre : list vec -> vec * R,
+  forall u, In u cells -> on_sphere (fst (centre u)) (snd (centre u)) u.
 Proof.
-  intros y x t z r2 a u Ht Py Px S R. induction R as [|a a1 u v u' v' R [Hu [Ba IH]] La _ Hu' C].
-  - split; auto. split; [lra|]. intros z' s2 a' S' Ha.
-    rewrite (same_power t z' s2 z r2) by (auto; apply hull_mix; auto). lra.
-  - destruct C as [Ba1 [A [Nu [_ [[_ Iu'] [_ [_ [Z' [X' _]]]]]]]]].
-    split; auto. split; [lra|]. intros z' s2 a' S' Ha.
-    destruct (has_sphere _ _ local u Hu) as [zu [ru Su]].
-    generalize (IH zu ru a' Su ltac:(lra)). intro Le.
-    assert (0 <= power zu ru (mix a' y x) - power z' s2 (mix a' y x)); [|lra].
-    assert (Pq : in_conv P (mix a' y x)) by (apply hull_mix; auto; lra).
-    rewrite (expand _ _ _ proper u' (fun x => power zu ru x - power z' s2 x)) by (auto using power_difference).
-    destruct A as [Hv [Hv' A]].
-    rewrite (total_one u' v'); auto.
-    + rewrite (S' v') by auto. apply Rmult_le_pos.
-      * apply (mix_between (b u' v') y x a1); auto; lra.
-      * generalize (opposite_not_inside _ _ local u v u' v' zu ru Hu Hu' Nu (conj Hv (conj Hv' A)) Su). lra.
-    + apply (cell_nodup _ _ _ proper); auto.
-    + intros w Hw D. destruct (proj2 (A w)) as [Iw _]; auto. rewrite (Su w), (S' w) by auto. ring.
+  assert (G : forall l, incl l cells -> exists centre : list vec -> vec * R,
+    forall u, In u l -> on_sphere (fst (centre u)) (snd (centre u)) u).
+  { induction l as [|t l IH]; intro I; [exists (fun _ => (vzero, 0)); intros u []|].
+    destruct IH as [f Hf]; [intros u Hu; apply I; right; auto|].
+    destruct (has_sphere _ _ local t (I t (or_introl eq_refl))) as [z [r2 S]].
+    exists (fun u => if cell_eq_dec u t then (z, r2) else f u). intros u Hu.
+    destruct (cell_eq_dec u t) as [->|D]; auto. destruct Hu as [->|Hu]; [contradiction | auto]. }
+  apply G. intros u Hu. auto.
 Qed.
 
 Lemma cell_has_vertex : forall u x, In u cells -> in_conv P x -> exists v, In v u.
 Proof.
   intros u x Hu Hx. destruct u as [|v u]; [|exists v; left; auto]. exfalso.
   assert (1 = total [] (fun v => b [] v x * 1)) as E; [|unfold total in E; simpl in E; lra].
-  apply (expand _ _ _ proper [] (fun _ => 1) x); auto. apply affine_const.
+  apply (expand proper [] (fun _ => 1) x); auto. apply affine_const.
 Qed.
 
-Theorem least_power : forall s t z r2 z' s2 x, In s cells -> In t cells -> in_cell P b s x ->
+Theorem least_power : forall s t z r2 z' s2 x, In s cells -> In t cells -> in_cell (in_conv P) b s x ->
   on_sphere z r2 s -> on_sphere z' s2 t -> power z r2 x <= power z' s2 x.
 Proof.
-  intros s t z r2 z' s2 x Hs Ht Hx S S'. apply Rnot_lt_le. intro L.
-  destruct (affine_near (fun y => power z r2 y - power z' s2 y) x) as [e [He Near]];
-    [apply power_difference | lra |].
+  intros s t z r2 z' s2 x Hs Ht Hx S S'. destruct choose_spheres as [f Hf].
+  rewrite (same_power s z r2 (fst (f s)) (snd (f s))), (same_power t z' s2 (fst (f t)) (snd (f t))) by (auto; apply Hx).
   destruct (cell_has_vertex t x Ht (proj1 Hx)) as [v Hv].
-  destruct (generic_near P cells b proper (in_cell P b s) (in_cell P b t) x v e) as [x' [y' [Ix [Iy [Dx [_ G]]]]]];
-    auto; try (eapply movable_cell; eauto); [eapply vertex_in_cell; eauto|].
-  destruct (walk P cells b proper glued y' x' t Ht G (proj1 Ix) Iy) as [a [s' [Hs' [R Ix']]]].
-  assert (E : s = s').
-  { apply (cells_disjoint P cells b proper glued s s' x'); auto. eapply generic_inside; eauto. apply G. }
-  subst s'. destruct (walk_monotone y' x' t z' s2 a s Ht (proj1 Iy) (proj1 Ix) S' R) as [_ [Ba M]].
-  generalize (M z r2 1 S ltac:(lra)), (Near x' Dx). rewrite mix_1. lra.
+  apply (least_value proper glued (fun u => power (fst (f u)) (snd (f u))) s t x v); auto. split.
+  - intros. apply power_difference.
+  - intros u w u' w' Hu Hu' D A. split.
+    + intros y Hy Ny. destruct A as [_ [_ A]]. destruct (proj2 (A y)) as [Iy _]; auto.
+      rewrite (Hf u Hu y), (Hf u' Hu' y) by auto. auto.
+    + rewrite (Hf u' Hu' w' (proj1 (proj2 A))). apply (opposite_not_inside _ _ local u w u' w'); auto.
 Qed.
 
 (* ---- 6: empty spheres ---- *)
@@ -95,12 +81,12 @@ Qed.
 
 (* ---- 7: face to face ---- *)
 
-Theorem sample_in_cell : forall t p, In t cells -> In p P -> in_cell P b t p -> In p t.
+Theorem sample_in_cell : forall t p, In t cells -> In p P -> in_cell (in_conv P) b t p -> In p t.
 Proof.
   intros t p Ht Hp [Pp Ip]. destruct (has_sphere _ _ local t Ht) as [z [r2 S]].
   generalize (empty_spheres t z r2 p Ht Hp S). intro E.
   assert (Ex : power z r2 p - power p 0 p = total t (fun v => b t v p * (power z r2 v - power p 0 v)))
-    by (apply (expand _ _ _ proper t (fun x => power z r2 x - power p 0 x)); auto using power_difference).
+    by (apply (expand proper t (fun x => power z r2 x - power p 0 x)); auto using power_difference).
   assert (Zero : forall v, In v t -> b t v p * dist2 v p = 0).
   { apply total_nonneg_zero.
     - intros v Hv. apply Rmult_le_pos; auto. apply dot_self_nonneg.
@@ -110,28 +96,28 @@ Proof.
       { apply total_nonneg. intros v Hv. apply Rmult_le_pos; auto. apply dot_self_nonneg. }
       rewrite Eq in Ex. unfold power at 2 in Ex. rewrite dist2_refl in Ex. lra. }
   apply NNPP. intro N.
-  assert (One : 1 = total t (fun v => b t v p * 1)) by (apply (expand _ _ _ proper t (fun _ => 1)); auto using affine_const).
+  assert (One : 1 = total t (fun v => b t v p * 1)) by (apply (expand proper t (fun _ => 1)); auto using affine_const).
   rewrite total_zero in One; [lra|]. intros v Hv. destruct (Rmult_integral _ _ (Zero v Hv)) as [->|D]; [ring|].
   apply dist2_zero in D. subst. contradiction.
 Qed.
 
 (* The coordinates of a point of one cell, in another cell that has all of its vertices with positive weight. *)
-Lemma support_coordinate : forall t u x w, In t cells -> In u cells -> in_cell P b t x ->
+Lemma support_coordinate : forall t u x w, In t cells -> In u cells -> in_cell (in_conv P) b t x ->
   (forall v, In v t -> 0 < b t v x -> In v u) -> In w u ->
   (In w t -> b u w x = b t w x) /\ (~ In w t -> b u w x = 0).
 Proof.
   intros t u x w Ht Hu [Px Ix] Sub Hw.
-  assert (Ex : b u w x = total t (fun v => b t v x * b u w v)) by (apply (expand _ _ _ proper t (b u w)); auto).
+  assert (Ex : b u w x = total t (fun v => b t v x * b u w v)) by (apply (expand proper t (b u w)); auto).
   assert (Zero : forall v, In v t -> v <> w -> b t v x * b u w v = 0).
   { intros v Hv D. destruct (Rle_lt_or_eq_dec 0 (b t v x) (Ix v Hv)) as [Pos|<-]; [|ring].
     rewrite (b_zero u w v); auto. ring. }
   split; intro I.
-  - rewrite Ex, (total_one t w); auto; [rewrite b_one by auto; ring|]. apply (cell_nodup _ _ _ proper); auto.
+  - rewrite Ex, (total_one t w); auto; [rewrite b_one by auto; ring|]. apply (cell_nodup proper); auto.
   - rewrite Ex. apply total_zero. intros v Hv. apply Zero; auto. congruence.
 Qed.
 
-Lemma walk_keeps : forall x0 e y x t a u, near_enough cells b x0 e -> In t cells -> in_cell P b t x0 ->
-  dist2 y x0 < e -> dist2 x x0 < e -> reached P cells b y x t a u ->
+Lemma walk_keeps : forall x0 e y x t a u, near_enough (cells := cells) (b := b) x0 e -> In t cells -> in_cell (in_conv P) b t x0 ->
+  dist2 y x0 < e -> dist2 x x0 < e -> reached (K := in_conv P) (cells := cells) (b := b) y x t a u ->
   In u cells /\ forall v, In v t -> 0 < b t v x0 -> In v u.
 Proof.
   intros x0 e y x t a u [He Near] Ht I Dy Dx R. induction R as [|a a1 u v u' v' R [Hu Sub] La _ Hu' C].
@@ -143,15 +129,15 @@ Proof.
     apply Near; auto; [rewrite E; auto|]. apply dist2_mix; auto; lra.
 Qed.
 
-Theorem face_to_face : forall t s x v, In t cells -> In s cells -> in_cell P b t x -> in_cell P b s x ->
+Theorem face_to_face : forall t s x v, In t cells -> In s cells -> in_cell (in_conv P) b t x -> in_cell (in_conv P) b s x ->
   In v t -> 0 < b t v x -> In v s.
 Proof.
-  intros t s x v Ht Hs It Is Hv Pos. destruct (near_enough_exists P cells b proper x) as [e Near].
-  destruct (generic_near P cells b proper (in_cell P b s) (in_cell P b t) x x e) as [x' [y' [Ix [Iy [Dx [Dy G]]]]]];
+  intros t s x v Ht Hs It Is Hv Pos. destruct (near_enough_exists proper x) as [e Near].
+  destruct (generic_near proper (in_cell (in_conv P) b s) (in_cell (in_conv P) b t) x x e) as [x' [y' [Ix [Iy [Dx [Dy G]]]]]];
     auto; try (eapply movable_cell; eauto); [apply Near|].
-  destruct (walk P cells b proper glued y' x' t Ht G (proj1 Ix) Iy) as [a [s' [Hs' [R Ix']]]].
+  destruct (walk proper glued y' x' t Ht G (proj1 Ix) Iy) as [a [s' [Hs' [R Ix']]]].
   assert (E : s = s').
-  { apply (cells_disjoint P cells b proper glued s s' x'); auto. eapply generic_inside; eauto. apply G. }
+  { apply (cells_disjoint proper glued s s' x'); auto. apply (generic_inside (cells := cells)); auto; apply G. }
   subst s'. apply (walk_keeps x e y' x' t a s); auto.
 Qed.
 End Delaunay.

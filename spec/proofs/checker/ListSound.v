@@ -95,9 +95,9 @@ Hypothesis acc : accepted rows first cells.
 Let P := samples rows.
 Let real_cells := map (real rows) cells.
 Let b := coordinate (emb (normal (places rows first))).
-Let proper : proper_cells P real_cells b := accepted_proper rows first cells acc.
+Let proper : proper_cells (in_conv P) affine P real_cells b := accepted_proper rows first cells acc.
 Let local : local_delaunay P real_cells := accepted_local rows first cells acc.
-Hypothesis glued : glued_cells P real_cells b.
+Hypothesis glued : glued_cells (in_conv P) real_cells b.
 
 Lemma listed_iff : forall s, In s (stationary_simplices rows cells) <->
   is_empty_at rows cells s = true /\ exists c, In c cells /\ In s (sublists (sorted c)) /\ (2 <= length s)%nat /\
@@ -141,11 +141,11 @@ Proof.
   assert (Form : forall v, In v (real rows s) -> exists g,
     forall w x, In w (real rows s) -> In x (real rows s) -> dot g (vsub w x) =
       (if vec_eq_dec w v then 1 else 0) - (if vec_eq_dec x v then 1 else 0)).
-  { intros v Hv. destruct (coord_affine _ _ _ proper (real rows c) v Hu (I v Hv)) as [g [k G]]. exists g.
+  { intros v Hv. destruct (coord_lin proper (real rows c) v Hu (I v Hv)) as [g [k G]]. exists g.
     assert (V : forall w, In w (real rows s) -> b (real rows c) v w = if vec_eq_dec w v then 1 else 0).
     { intros w Hw. destruct (vec_eq_dec w v) as [->|D].
-      - apply (coord_one _ _ _ proper); auto.
-      - apply (coord_zero _ _ _ proper); auto. }
+      - apply (coord_one proper); auto.
+      - apply (coord_zero proper); auto. }
     intros w x Hw Hx. rewrite <- (V w), <- (V x), !G by auto. clear. vdestruct; vunfold; ring. }
   intro K. unfold scale_of, places in K. unfold real in *.
   destruct s as [|o [|p [|q [|r [|t s]]]]]; simpl length in L; try lia; simpl in K, Form, N; try discriminate.
@@ -314,11 +314,11 @@ Proof.
                                                   (~ In v (real rows s) -> b (real rows c) v z = 0)).
   { intros v Hv. rewrite <- Same. apply (relint_coordinate P real_cells b proper (real rows c) t z v); auto. }
   assert (Pz : in_conv P z).
-  { apply (conv_incl t); [|apply Hz]. intros v Hv. apply (cell_points _ _ _ proper (real rows c)); auto. }
+  { apply (conv_incl t); [|apply Hz]. intros v Hv. apply (cell_points proper (real rows c)); auto. }
   assert (Sum : forall k, affine k -> k z = total (real rows s) (fun v => b (real rows c) v z * k v)).
   { intros k Ak. rewrite (total_sub _ (real rows c)); auto.
-    - apply (expand P real_cells b proper); auto.
-    - apply (cell_nodup _ _ _ proper); auto.
+    - apply (expand proper); auto.
+    - apply (cell_nodup proper); auto.
     - intros v Hv D. rewrite (proj2 (Coord v Hv) D). ring. }
   set (wz := map (fun v => b (real rows c) v z) (real rows s)).
   assert (Swz : sum wz = 1).
@@ -348,10 +348,10 @@ Proof.
     assert (Iv : In v (real rows s)) by (apply in_combine_r in Hv; auto).
     assert (Pos : 0 < IZR a / IZR k2).
     { rewrite <- (weight_at _ (real rows s) (b (real rows c) v) _ v RN Lw Hv).
-      - rewrite <- affine_comb by (auto; apply (coord_affine _ _ _ proper); auto).
+      - rewrite <- affine_comb by (auto; apply (coord_lin proper); auto).
         rewrite Cw, <- Ez. apply Coord; auto.
-      - apply (coord_one _ _ _ proper); auto.
-      - intros p Hp D. apply (coord_zero _ _ _ proper); auto. }
+      - apply (coord_one proper); auto.
+      - intros p Hp D. apply (coord_zero proper); auto. }
     replace (IZR a) with (IZR a / IZR k2 * IZR k2) by (field; lra). apply Rmult_lt_0_compat; auto.
 Qed.
 

@@ -179,9 +179,24 @@ Proof.
   - apply Z.eqb_eq in H. rewrite <- emb_sub, <- emb_dot. f_equal. exact H.
 Qed.
 
-Theorem accepted_proper : proper_cells P real_cells b.
+(* The affine hull of the samples. *)
+Definition in_level x := level d (emb n) o x.
+Lemma level_mix : forall a y x, in_level y -> in_level x -> in_level (mix a y x).
 Proof.
-  split.
+  intros a y x. unfold in_level, level. destruct d as [|[|[|k]]]; auto.
+  - intros Hy Hx. transitivity (vadd (vscale (1 - a) (cross (emb n) (vsub y o))) (vscale a (cross (emb n) (vsub x o)))).
+    + clear. generalize (emb n). intros. unfold mix. apply vec_eq; vdestruct; vunfold; ring.
+    + rewrite Hy, Hx. apply vec_eq; vunfold; ring.
+  - intros Hy Hx. transitivity ((1 - a) * dot (emb n) (vsub y o) + a * dot (emb n) (vsub x o))%R.
+    + clear. generalize (emb n). intros. unfold mix. vdestruct; vunfold; ring.
+    + rewrite Hy, Hx. ring.
+Qed.
+
+(* Coordinates in the whole affine hull. *)
+Theorem accepted_proper_level : proper_cells in_level affine P real_cells b.
+Proof.
+  split; auto using affine_scale, affine_minus, level_mix.
+  - apply sample_level.
   - intros u H. apply in_real_cells in H. destruct H as [c [Hc ->]]. apply real_nodup; auto.
   - intros u H. apply in_real_cells in H. destruct H as [c [Hc ->]]. apply sample_cell_points; auto.
   - intros u v H Hv. apply in_real_cells in H. destruct H as [c [Hc ->]].
@@ -196,7 +211,14 @@ Proof.
     + unfold real, d. rewrite map_length, (acc_length _ _ _ acc c Hc).
       generalize (cell_length first (acc_first _ _ _ acc)). lia.
     + intros v Hv. apply sample_level. apply (sample_cell_points c); auto.
-    + apply sample_level; auto.
+Qed.
+(* Coordinates in the convex hull. *)
+Theorem accepted_proper : proper_cells (in_conv P) affine P real_cells b.
+Proof.
+  destruct accepted_proper_level as [A1 A2 A3 A4 A5 A6 A7 A8 A9 A10 A11].
+  split; auto using hull_mix, hull_point.
+  intros u h x Hu Ah Hx. apply (hull_equal h (fun x => total u (fun v => b u v x * h v)%R) P); auto.
+  apply affine_total. intros. apply A1. auto.
 Qed.
 
 (* ---- Facets of real cells are those of the lists ---- *)

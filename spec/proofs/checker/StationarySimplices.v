@@ -75,12 +75,12 @@ Section Stationary.
 Variable P : list vec.
 Variable cells : list (list vec).
 Variable b : list vec -> vec -> vec -> R.
-Hypothesis proper : proper_cells P cells b.
-Hypothesis glued : glued_cells P cells b.
+Hypothesis proper : proper_cells (in_conv P) affine P cells b.
+Hypothesis glued : glued_cells (in_conv P) cells b.
 Hypothesis local : local_delaunay P cells.
-Let b_affine := coord_affine _ _ _ proper.
-Let b_one := coord_one _ _ _ proper.
-Let b_zero := coord_zero _ _ _ proper.
+Let b_affine := coord_lin proper.
+Let b_one := coord_one proper.
+Let b_zero := coord_zero proper.
 
 (* The centre's coordinates in a cell that has s as a face. *)
 Lemma relint_coordinate : forall t s z v, In t cells -> incl s t -> in_relint s z -> In v t ->
@@ -102,10 +102,10 @@ Proof.
       * intros [->|J]; [congruence|]. apply H1 in J. lra.
       * intro F. rewrite H2; [ring|]. intro J. apply F. right; auto.
 Qed.
-Lemma relint_in_cell : forall t s z, In t cells -> incl s t -> in_relint s z -> in_cell P b t z.
+Lemma relint_in_cell : forall t s z, In t cells -> incl s t -> in_relint s z -> in_cell (in_conv P) b t z.
 Proof.
   intros t s z Ht I Hz. split.
-  - apply (conv_incl s); [|apply Hz]. intros p Hp. apply (cell_points _ _ _ proper t); auto.
+  - apply (conv_incl s); [|apply Hz]. intros p Hp. apply (cell_points proper t); auto.
   - intros v Hv. destruct (relint_coordinate t s z v Ht I Hz Hv) as [H1 H2].
     destruct (in_dec vec_eq_dec v s) as [J|J]; [apply H1 in J; lra | rewrite H2; auto; lra].
 Qed.
@@ -115,13 +115,13 @@ Lemma local_test : forall s z r2 p, (exists t, In t cells /\ incl s t) -> in_rel
   (forall q, link_sample cells s q -> 0 <= power z r2 q) -> In p P -> 0 <= power z r2 p.
 Proof.
   intros s z r2 p [t0 [Ht0 I0]] Hz S Link Hp.
-  destruct (far_near P cells b proper z) as [e [He Far]].
+  destruct (far_near proper z) as [e [He Far]].
   destruct (soon_some _ (soon_near z p z e ltac:(rewrite dist2_refl; auto))) as [t' [Bt D]].
   set (z1 := mix t' z p) in *.
-  assert (It0 : in_cell P b t0 z) by (apply relint_in_cell with s; auto).
+  assert (It0 : in_cell (in_conv P) b t0 z) by (apply relint_in_cell with s; auto).
   assert (P1 : in_conv P z1) by (apply hull_mix; [lra | apply It0 | apply hull_point; auto]).
-  destruct (cells_cover P cells b proper glued z1 P1) as [t [Ht I1]].
-  assert (It : in_cell P b t z).
+  destruct (cells_cover proper glued z1 P1) as [t [Ht I1]].
+  assert (It : in_cell (in_conv P) b t z).
   { split; [apply It0|]. intros v Hv. apply Rnot_lt_le. intro L. generalize (Far t v z1 Ht Hv L D).
     generalize (proj2 I1 v Hv). lra. }
   assert (It' : incl s t).
@@ -135,10 +135,10 @@ Proof.
     - rewrite (S v) by auto. lra.
     - assert (0 <= power z r2 v); [|lra]. apply Link. exists t. auto. }
   assert (H1 : 0 <= h z1).
-  { rewrite (expand _ _ _ proper t h z1) by auto. apply total_nonneg. intros v J. apply Rmult_le_pos; auto.
+  { rewrite (expand proper t h z1) by auto. apply total_nonneg. intros v J. apply Rmult_le_pos; auto.
     apply I1; auto. }
   assert (H0 : h z = 0).
-  { rewrite (expand _ _ _ proper t h z) by (auto; apply It). apply total_zero. intros v J.
+  { rewrite (expand proper t h z) by (auto; apply It). apply total_zero. intros v J.
     destruct (relint_coordinate t s z v Ht It' Hz J) as [_ Z].
     destruct (in_dec vec_eq_dec v s) as [K|K]; [|rewrite Z; auto; ring].
     unfold h. rewrite (S v), (St v) by auto. ring. }
@@ -152,7 +152,7 @@ Proof.
   intros s z [T [N [L [Hz [r2 [S Link]]]]]].
   assert (Empty : forall p, In p P -> 0 <= power z r2 p) by (intros; apply (local_test s); auto).
   destruct T as [t [Ht I]].
-  assert (IP : incl s P) by (intros v Hv; apply (cell_points _ _ _ proper t); auto).
+  assert (IP : incl s P) by (intros v Hv; apply (cell_points proper t); auto).
   split.
   - apply stationary_iff_nearest. exists s. split; [|apply Hz]. intros p Hp. split; auto. intros q Hq.
     generalize (S p Hp), (Empty q Hq). unfold power. rewrite (dist2_sym z p), (dist2_sym z q). lra.
@@ -167,7 +167,7 @@ Theorem stationary_is_centred : forall z, stationary P z -> ~ In z P -> exists s
 Proof.
   intros z H Nz. apply stationary_iff_nearest in H. destruct H as [C [HC Hz]].
   assert (Pz : in_conv P z) by (apply (conv_incl C); auto; intros p Hp; apply HC; auto).
-  destruct (cells_cover P cells b proper glued z Pz) as [t [Ht [_ I]]].
+  destruct (cells_cover proper glued z Pz) as [t [Ht [_ I]]].
   destruct (has_sphere _ _ local t Ht) as [zt [rt St]].
   destruct C as [|p0 C'] eqn:EC.
   { destruct Hz as [w [L [_ [S _]]]]. destruct w; simpl in *; [lra | discriminate]. }
@@ -185,11 +185,11 @@ Proof.
     intros p Hp. unfold h. rewrite On by auto.
     generalize (empty_spheres P cells b proper glued local t zt rt p Ht (proj1 (HC p Hp)) St). lra. }
   assert (Hv : forall v, In v t -> 0 <= h v).
-  { intros v Hv. unfold h. rewrite (St v) by auto. generalize (Empty v (cell_points _ _ _ proper t Ht v Hv)). lra. }
+  { intros v Hv. unfold h. rewrite (St v) by auto. generalize (Empty v (cell_points proper t Ht v Hv)). lra. }
   assert (Term : forall v, In v t -> 0 <= b t v z * h v) by (intros; apply Rmult_le_pos; auto).
   assert (Zero : forall v, In v t -> b t v z * h v = 0).
   { apply total_nonneg_zero; auto.
-    assert (Ex : h z = total t (fun v => b t v z * h v)) by (apply (expand _ _ _ proper t h); auto).
+    assert (Ex : h z = total t (fun v => b t v z * h v)) by (apply (expand proper t h); auto).
     generalize (total_nonneg t _ Term). lra. }
   set (positive := fun v => if Rlt_dec 0 (b t v z) then true else false).
   assert (Pos : forall v, positive v = true <-> 0 < b t v z)
@@ -197,10 +197,10 @@ Proof.
   assert (Not : forall v, In v t -> positive v = false -> b t v z = 0).
   { intros v J F. destruct (Rle_lt_or_eq_dec 0 (b t v z) (I v J)) as [K|K]; auto. apply Pos in K. congruence. }
   set (s := filter positive t).
-  assert (Ns : NoDup s) by (apply NoDup_filter; apply (cell_nodup _ _ _ proper); auto).
+  assert (Ns : NoDup s) by (apply NoDup_filter; apply (cell_nodup proper); auto).
   assert (Is : incl s t) by (intros v J; apply filter_In in J; tauto).
   assert (Sum : forall k, affine k -> k z = total s (fun v => b t v z * k v)).
-  { intros k Ak. unfold s. rewrite total_filter; [apply (expand _ _ _ proper t k); auto|].
+  { intros k Ak. unfold s. rewrite total_filter; [apply (expand proper t k); auto|].
     intros v J F. rewrite (Not v J F). ring. }
   assert (Weights : has_positive_weights s z).
   { exists (map (fun v => b t v z) s). split; [apply map_length|]. split; [|split].
@@ -212,22 +212,22 @@ Proof.
   - destruct s as [|v [|w s']] eqn:Es; simpl; try lia.
     + destruct Weights as [w [L [_ [Sw _]]]]. destruct w; simpl in *; [lra | discriminate].
     + exfalso. destruct Weights as [w [L [_ [Sw E]]]]. destruct w as [|a [|c w]]; try discriminate. simpl in Sw, E.
-      apply Nz. apply (cell_points _ _ _ proper t Ht). apply Is.
+      apply Nz. apply (cell_points proper t Ht). apply Is.
       replace z with v; [left; auto|]. rewrite <- E. assert (a = 1) by lra. subst a.
       apply vec_eq; simpl; ring.
   - apply positive_weights_sound. auto.
   - exists r2. split.
     + intros v J. apply filter_In in J. destruct J as [J K]. apply Pos in K.
       destruct (Rmult_integral _ _ (Zero v J)) as [F|F]; [lra|]. unfold h in F. rewrite (St v J) in F. lra.
-    + intros p [t' [Ht' [_ [J _]]]]. apply Empty. apply (cell_points _ _ _ proper t'); auto.
+    + intros p [t' [Ht' [_ [J _]]]]. apply Empty. apply (cell_points proper t'); auto.
 Qed.
 
 Theorem centred_simplex_unique : forall s s' z, centred_simplex cells s z -> centred_simplex cells s' z ->
   forall v, In v s -> In v s'.
 Proof.
   intros s s' z [[t [Ht I]] [_ [_ [Hz _]]]] [[t' [Ht' I']] [_ [_ [Hz' _]]]] v Hv.
-  assert (It : in_cell P b t z) by (apply relint_in_cell with s; auto).
-  assert (It' : in_cell P b t' z) by (apply relint_in_cell with s'; auto).
+  assert (It : in_cell (in_conv P) b t z) by (apply relint_in_cell with s; auto).
+  assert (It' : in_cell (in_conv P) b t' z) by (apply relint_in_cell with s'; auto).
   assert (Sub : forall w, In w t -> 0 < b t w z -> In w t')
     by (intros w J K; apply (face_to_face P cells b proper glued t t' z w); auto).
   assert (Pos : 0 < b t v z) by (apply (relint_coordinate t s z v); auto).
