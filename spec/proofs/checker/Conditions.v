@@ -92,25 +92,28 @@ Definition sees_middle (rows : list zvec) (n : zvec) (first : simplex) (f : face
   0 <? sided f (volume n (map (from_middle rows first) (vertices f))).
 
 Record ridge := Ridge { ridge_facet : facet; ridge_turn : bool; ridge_opposite : nat }.
-Definition ridge_table := list (simplex * list ridge).
 Fixpoint precedes (s t : simplex) : bool :=
   match s, t with
   | a :: s', b :: t' => Nat.ltb a b || (Nat.eqb a b && precedes s' t')
   | _, _ => false
   end.
-Fixpoint add_ridge (key : simplex) (r : ridge) (all : ridge_table) : ridge_table :=
-  match all with
-  | [] => [(key, [r])]
-  | (k, rs) :: all' =>
-    if same_samples k key then (k, rs ++ [r]) :: all'
-    else if precedes key k then (key, [r]) :: all
-    else (k, rs) :: add_ridge key r all'
-  end.
 Definition ridges_of (f : facet) : list (simplex * ridge) :=
   map (fun i => let '(key, turn) := face_of (vertices f) (Nat.odd (place_of f)) i in
                 (key, Ridge f turn (nth i (vertices f) 0%nat))) (seq 0 (length (vertices f))).
-Definition ridges (hull : list facet) : ridge_table :=
-  fold_left (fun t '(key, r) => add_ridge key r t) (flat_map ridges_of hull) [].
+Definition ridges (hull : list facet) : list (simplex * ridge) := flat_map ridges_of hull.
+(* In ascending order, each once. *)
+Fixpoint insert_key (key : simplex) (keys : list simplex) : list simplex :=
+  match keys with
+  | [] => [key]
+  | k :: keys' =>
+    if same_samples k key then keys
+    else if precedes key k then key :: keys
+    else k :: insert_key key keys'
+  end.
+Definition ridge_keys (all : list (simplex * ridge)) : list simplex :=
+  fold_right (fun '(key, _) keys => insert_key key keys) [] all.
+Definition at_ridge (all : list (simplex * ridge)) (key : simplex) : list ridge :=
+  map snd (filter (fun '(k, _) => same_samples k key) all).
 
 Definition check_ridge (rows : list zvec) (n : zvec) (at_it : list ridge) (rest : result unit) : result unit :=
   match at_it with
@@ -120,9 +123,10 @@ Definition check_ridge (rows : list zvec) (n : zvec) (at_it : list ridge) (rest 
   | _ => Rejected T4
   end.
 Definition check_ridges (rows : list zvec) (n : zvec) (hull : list facet) : result unit :=
-  match ridges hull with
+  let all := ridges hull in
+  match all with
   | [] => Rejected T4
-  | all => fold_right (fun '(_, at_it) rest => check_ridge rows n at_it rest) (Holds tt) all
+  | _ => fold_right (fun key rest => check_ridge rows n (at_ridge all key) rest) (Holds tt) (ridge_keys all)
   end.
 
 Definition meets_ray (n : zvec) (ray : zvec) (v : list zvec) (f : facet) : bool :=

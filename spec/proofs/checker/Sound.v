@@ -107,6 +107,17 @@ Proof.
   rewrite E at 2. rewrite places_app. reflexivity.
 Qed.
 
+Lemma level_mix : forall d n o a y x, level d n o y -> level d n o x -> level d n o (mix a y x).
+Proof.
+  intros d n o a y x. unfold level, mix. destruct d as [|[|[|k]]]; auto; intros Hy Hx.
+  - transitivity (vadd (vscale (1 - a) (cross n (vsub y o))) (vscale a (cross n (vsub x o)))).
+    + apply vec_eq; vdestruct; vunfold; ring.
+    + rewrite Hy, Hx. apply vec_eq; vunfold; ring.
+  - transitivity ((1 - a) * dot n (vsub y o) + a * dot n (vsub x o))%R.
+    + vdestruct; vunfold; ring.
+    + rewrite Hy, Hx. ring.
+Qed.
+
 (* ---- What is accepted ---- *)
 
 Record accepted (rows : list zvec) (first : simplex) (cells : list simplex) : Prop := {
@@ -181,21 +192,13 @@ Qed.
 
 (* The affine hull of the samples. *)
 Definition in_level x := level d (emb n) o x.
-Lemma level_mix : forall a y x, in_level y -> in_level x -> in_level (mix a y x).
-Proof.
-  intros a y x. unfold in_level, level. destruct d as [|[|[|k]]]; auto.
-  - intros Hy Hx. transitivity (vadd (vscale (1 - a) (cross (emb n) (vsub y o))) (vscale a (cross (emb n) (vsub x o)))).
-    + clear. generalize (emb n). intros. unfold mix. apply vec_eq; vdestruct; vunfold; ring.
-    + rewrite Hy, Hx. apply vec_eq; vunfold; ring.
-  - intros Hy Hx. transitivity ((1 - a) * dot (emb n) (vsub y o) + a * dot (emb n) (vsub x o))%R.
-    + clear. generalize (emb n). intros. unfold mix. vdestruct; vunfold; ring.
-    + rewrite Hy, Hx. ring.
-Qed.
+Lemma in_level_mix : forall a y x, (0 <= a <= 1)%R -> in_level y -> in_level x -> in_level (mix a y x).
+Proof. intros a y x _. apply level_mix. Qed.
 
 (* Coordinates in the whole affine hull. *)
 Theorem accepted_proper_level : proper_cells in_level affine P real_cells b.
 Proof.
-  split; auto using affine_scale, affine_minus, level_mix.
+  split; auto using affine_scale, affine_minus, in_level_mix.
   - apply sample_level.
   - intros u H. apply in_real_cells in H. destruct H as [c [Hc ->]]. apply real_nodup; auto.
   - intros u H. apply in_real_cells in H. destruct H as [c [Hc ->]]. apply sample_cell_points; auto.
