@@ -140,7 +140,7 @@ Qed.
 
 Lemma direction_level : forall p, In p (names rows) -> in_directions (emb (toward p)).
 Proof.
-  intros p Hp. unfold in_directions.
+  clear checked. intros p Hp. unfold in_directions.
   assert (Lv : forall q, In q (names rows) -> level d (emb n) (emb (origin (places rows first))) (emb (place rows q))).
   { intros q Hq. apply (sample_level rows first cells acc). apply (in_map (fun i => emb (place rows i))). auto. }
   assert (Nf : forall q, In q first -> In q (names rows)) by (intros; apply (acc_names _ _ _ acc first); auto; apply acc).
