@@ -171,3 +171,9 @@ Proof.
   intros rows p H. destruct (names_from_whole rows 0 [] p H) as [[]|[j [Hj E]]].
   exists j. split; auto. rewrite Nat.sub_0_r in E. exact E.
 Qed.
+Lemma names_nodup : forall rows, NoDup (names rows).
+Proof.
+  intro rows. unfold names. generalize 0%nat, (@nil zvec). induction rows as [|p rows IH]; intros i before; simpl;
+    [constructor|]. destruct (existsb (same_place p) before); auto. constructor; auto.
+  intro F. apply names_from_range in F. lia.
+Qed.
