@@ -1,5 +1,5 @@
-(* The centre that the checker computes is that of the smallest sphere through a simplex, and its test of a point and its
-   weights are those of real numbers. *)
+(* The centre that the checker computes is that of the smallest sphere through a simplex, and its test of a point and
+   its weights are those of real numbers. *)
 From Coq Require Import Reals ZArith Lra Lia List.
 From Flowcert Require Import algebra.Vector3 spec.Hull judge.Judge judge.Sound.
 From Flowcert Require Import checker.Simplices checker.Affine.
@@ -66,7 +66,8 @@ Lemma weights_comb : forall s, (2 <= length s <= 4)%nat -> zcomb (centre_weights
 Proof.
   intros s L. destruct s as [|o [|p [|q [|r [|d s]]]]]; simpl in L; try lia; unfold centre_weights, scale_of, origin.
   - simpl. apply zvec_eq; zvectors.
-  - simpl edges. set (a := zsub p o). set (b := zsub q o). simpl centre_of_edges. cbv beta iota zeta. simpl fst. simpl snd.
+  - simpl edges. set (a := zsub p o). set (b := zsub q o). simpl centre_of_edges. cbv beta iota zeta. simpl fst.
+      simpl snd.
     set (c := zcross a b). set (t := zadd _ _).
     assert (T : zdot t c = 0%Z) by (unfold t, c; zvectors).
     assert (K : zdet a b c = zdot c c) by (unfold c; zvectors).

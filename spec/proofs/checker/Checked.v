@@ -38,7 +38,8 @@ Proof.
   apply require_holds in H. destruct H as [T2 H]. apply require_holds in H. destruct H as [T5 H].
   apply and_then_holds in H. destruct H as [[] [T46 H]]. apply require_holds in H. destruct H as [T7 H].
   apply require_holds in H. destruct H as [T8 _].
-  assert (Cell : forall k c, nth_error cells k = Some c -> cell_is_positive rows (normal (places rows first)) c = true /\
+  assert (Cell : forall k c, nth_error cells k = Some c -> cell_is_positive rows (normal (places rows first)) c = true
+    /\
     forall i, (i < length c)%nat -> facet_is_delaunay rows (facets cells) (facet_at k c i) = true).
   { intros k c Hk. destruct (check_cells_holds _ _ _ _ T13 k c) as [V T].
     - apply in_numbered. rewrite Nat.sub_0_r. split; [lia | auto].

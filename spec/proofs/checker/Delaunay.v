@@ -1,5 +1,5 @@
-(* Steps 5 to 7 of the proof of FC-CERT-02: in a tiling whose neighbours are locally Delaunay, the sphere of the cell at a
-   point is the one to which this point has the least power; no sample is inside the sphere of a cell; and cells meet
+(* Steps 5 to 7 of the proof of FC-CERT-02: in a tiling whose neighbours are locally Delaunay, the sphere of the cell at
+   a point is the one to which this point has the least power; no sample is inside the sphere of a cell; and cells meet
    face to face. *)
 From Coq Require Import Reals Lra Lia List Psatz Classical.
 From Flowcert Require Import algebra.Vector3 spec.Hull checker.Affine checker.Tiling.
@@ -90,7 +90,8 @@ Proof.
   assert (Zero : forall v, In v t -> b t v p * dist2 v p = 0).
   { apply total_nonneg_zero.
     - intros v Hv. apply Rmult_le_pos; auto. apply dot_self_nonneg.
-    - assert (Eq : total t (fun v => b t v p * (power z r2 v - power p 0 v)) = - 1 * total t (fun v => b t v p * dist2 v p)).
+    - assert (Eq : total t (fun v => b t v p * (power z r2 v - power p 0 v)) = - 1 * total t (fun v =>
+        b t v p * dist2 v p)).
       { rewrite <- total_scale. apply total_ext. intros v Hv. rewrite (S v) by auto. unfold power. ring. }
       assert (0 <= total t (fun v => b t v p * dist2 v p)).
       { apply total_nonneg. intros v Hv. apply Rmult_le_pos; auto. apply dot_self_nonneg. }
@@ -116,7 +117,8 @@ Proof.
   - rewrite Ex. apply total_zero. intros v Hv. apply Zero; auto. congruence.
 Qed.
 
-Lemma walk_keeps : forall x0 e y x t a u, near_enough (cells := cells) (b := b) x0 e -> In t cells -> in_cell (in_conv P) b t x0 ->
+Lemma walk_keeps : forall x0 e y x t a u, near_enough (cells := cells) (b := b) x0 e -> In t cells ->
+  in_cell (in_conv P) b t x0 ->
   dist2 y x0 < e -> dist2 x x0 < e -> reached (K := in_conv P) (cells := cells) (b := b) y x t a u ->
   In u cells /\ forall v, In v t -> 0 < b t v x0 -> In v u.
 Proof.
@@ -129,11 +131,13 @@ Proof.
     apply Near; auto; [rewrite E; auto|]. apply dist2_mix; auto; lra.
 Qed.
 
-Theorem face_to_face : forall t s x v, In t cells -> In s cells -> in_cell (in_conv P) b t x -> in_cell (in_conv P) b s x ->
+Theorem face_to_face : forall t s x v, In t cells -> In s cells -> in_cell (in_conv P) b t x ->
+  in_cell (in_conv P) b s x ->
   In v t -> 0 < b t v x -> In v s.
 Proof.
   intros t s x v Ht Hs It Is Hv Pos. destruct (near_enough_exists proper x) as [e Near].
-  destruct (generic_near proper (in_cell (in_conv P) b s) (in_cell (in_conv P) b t) x x e) as [x' [y' [Ix [Iy [Dx [Dy G]]]]]];
+  destruct (generic_near proper (in_cell (in_conv P) b s) (in_cell (in_conv P) b t) x x e) as [x' [y' [Ix [Iy [Dx [Dy
+    G]]]]]];
     auto; try (eapply movable_cell; eauto); [apply Near|].
   destruct (walk proper glued y' x' t Ht G (proj1 Ix) Iy) as [a [s' [Hs' [R Ix']]]].
   assert (E : s = s').

@@ -85,7 +85,8 @@ Definition cone (u : list vec) (v x : vec) : R := coordinate (emb n) (vzero :: u
 Definition in_directions (x : vec) := level d (emb n) vzero x.
 Definition directions : list vec := seen (names rows).
 
-Lemma hull_facet : forall f, In f hull -> exists k c i, nth_error cells k = Some c /\ In c cells /\ (i < length c)%nat /\
+Lemma hull_facet : forall f, In f hull -> exists k c i, nth_error cells k = Some c /\ In c cells /\
+  (i < length c)%nat /\
   f = facet_at k c i /\ vertices f = without i c.
 Proof.
   intros f H. unfold hull, hull_facets in H. apply filter_In in H. destruct H as [H _]. apply in_facets in H.
@@ -143,7 +144,8 @@ Proof.
   clear checked. intros p Hp. unfold in_directions.
   assert (Lv : forall q, In q (names rows) -> level d (emb n) (emb (origin (places rows first))) (emb (place rows q))).
   { intros q Hq. apply (sample_level rows first cells acc). apply (in_map (fun i => emb (place rows i))). auto. }
-  assert (Nf : forall q, In q first -> In q (names rows)) by (intros; apply (acc_names _ _ _ acc first); auto; apply acc).
+  assert (Nf : forall q, In q first -> In q (names rows)) by (intros; apply (acc_names _ _ _ acc first); auto;
+    apply acc).
   assert (Lz := Lv p Hp). assert (Lf : forall q, In q first -> level d (emb n) (emb (origin (places rows first)))
     (emb (place rows q))) by auto. clear Lv Nf. revert Lz Lf.
   unfold toward, from_middle, middle. generalize (place rows p) as z. unfold d.
@@ -195,7 +197,8 @@ Proof.
   - intros f h [A Z] [A' Z']. split; [apply affine_minus; auto | rewrite Z, Z'; ring].
   - intros a y x _ Hy Hx. apply directions_linear; auto.
   - intros v Hv. apply in_map_iff in Hv. destruct Hv as [p [<- Hp]]. apply direction_level; auto.
-  - intros u Hu. apply in_fan in Hu. destruct Hu as [f [Hf ->]]. generalize (rays_nodup f Hf). intro N. inversion N. auto.
+  - intros u Hu. apply in_fan in Hu. destruct Hu as [f [Hf ->]]. generalize (rays_nodup f Hf). intro N. inversion N.
+      auto.
   - intros u Hu. apply in_fan in Hu. destruct Hu as [f [Hf ->]]. apply incl_map. intros p Hp.
     apply (hull_vertices f Hf). auto.
   - intros u v Hu Hv. apply in_fan in Hu. destruct Hu as [f [Hf ->]]. split.

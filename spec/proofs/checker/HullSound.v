@@ -1,10 +1,12 @@
 (* The cones over the facets without a mate are glued well, so that they tile all directions; and of the planes of these
-   facets, the one of the cone that has a point is the one that the point is least inside of (steps 1 to 3 of the proof of
+   facets, the one of the cone that has a point is the one that the point is least inside of (steps 1 to 3 of the proof
+   of
    FC-CERT-02). *)
 From Coq Require Import Reals ZArith Lra Lia List Bool Permutation.
 From Flowcert Require Import algebra.Vector3 spec.Hull judge.Judge judge.Sound.
 From Flowcert Require Import checker.Simplices checker.Certificate checker.Conditions checker.Faces.
-From Flowcert Require Import checker.Affine checker.Volumes checker.Tiling checker.Sound checker.Checked checker.HullFan.
+From Flowcert Require Import checker.Affine checker.Volumes checker.Tiling checker.Sound checker.Checked
+  checker.HullFan.
 Import ListNotations.
 
 (* ---- Facets of lists, and of their points ---- *)
@@ -171,12 +173,14 @@ Qed.
 Lemma cone_behind : forall f i f' i', In f hull -> (i < length (vertices f))%nat -> In f' hull ->
   (i' < length (vertices f'))%nat -> key_of f i = key_of f' i' ->
   xorb (ridge_turn (ridge_at f i)) (ridge_turn (ridge_at f' i')) = true ->
-  (form f i (toward (corner f' i')) < 0)%Z /\ (cone (rays f) (emb (toward (corner f i))) (emb (toward (corner f' i'))) < 0)%R.
+  (form f i (toward (corner f' i')) < 0)%Z /\ (cone (rays f) (emb (toward (corner f i))) (emb (toward (corner f' i')))
+    < 0)%R.
 Proof.
   intros f i f' i' Hf B Hf' B' E X.
   assert (L : (form f i (toward (corner f' i')) < 0)%Z).
   { rewrite (form_opposite f i f' i') by auto. unfold form, corner, toward.
-    rewrite (form_own rows first cells acc) by auto. generalize (spread_positive rows first cells checked f' Hf'). lia. }
+    rewrite (form_own rows first cells acc) by auto. generalize (spread_positive rows first cells checked f' Hf'). lia.
+      }
   split; auto. apply (cone_sign rows first cells acc checked f i); auto.
 Qed.
 
@@ -219,7 +223,8 @@ Qed.
 
 (* ---- T7: the ray through the first facet ---- *)
 
-Lemma linear_sum : forall h (l : list zvec), linear h -> h (emb (fold_right zadd (ZV 0 0 0) l)) = sum (map h (map emb l)).
+Lemma linear_sum : forall h (l : list zvec), linear h -> h (emb (fold_right zadd (ZV 0 0 0) l)) = sum (map h (map emb
+  l)).
 Proof.
   intros h l [[g [c H]] Z]. assert (C : c = 0%R).
   { rewrite H in Z. rewrite <- Z. unfold dot, vzero. simpl. ring. }
@@ -282,16 +287,19 @@ Proof.
       assert (W : map toward (vertices g) = map toward l1 ++ toward (nth i (vertices g) 0%nat) :: map toward l2)
         by (rewrite E at 1; apply map_app).
       set (ray := fold_right zadd (ZV 0 0 0) (map toward (vertices f))).
-      assert (F' : (sided g (volume n (firstn i (map toward (vertices g)) ++ ray :: skipn (S i) (map toward (vertices g))))
+      assert (F' : (sided g (volume n (firstn i (map toward (vertices g)) ++ ray :: skipn (S i) (map toward (vertices
+        g))))
         < 0)%Z) by exact F.
-      rewrite W in F'. destruct (parts_of _ (map toward l1) (toward (nth i (vertices g) 0%nat)) (map toward l2) i) as [P1 P2];
+      rewrite W in F'. destruct (parts_of _ (map toward l1) (toward (nth i (vertices g) 0%nat)) (map toward l2) i) as
+        [P1 P2];
         [rewrite map_length; auto|]. rewrite P1, P2 in F'. exact F'.
 Qed.
 Theorem fan_glued : glued_cells in_directions fan cone.
 Proof.
   split; [exact fan_pairs|]. destruct ray_once as [f [Hf [I [_ Far]]]].
   exists (rays f), (first_ray f). split; [apply in_fan; eauto|]. split; auto.
-  intros u Hu D. apply in_fan in Hu. destruct Hu as [g [Hg ->]]. apply Far; auto. intro F. apply D. rewrite F. reflexivity.
+  intros u Hu D. apply in_fan in Hu. destruct Hu as [g [Hg ->]]. apply Far; auto. intro F. apply D. rewrite F.
+    reflexivity.
 Qed.
 
 (* ---- How far a point is inside of a facet's plane: 1 at o, 0 on the plane ---- *)
@@ -373,10 +381,12 @@ Proof.
   { split; [apply affine_minus; apply depth_affine; auto|]. unfold h. rewrite !depth_middle by auto. ring. }
   assert (Hu : In (rays f) fan) by (apply in_fan; eauto).
   assert (Dv : in_directions v').
-  { apply (direction_level rows first cells acc). apply (hull_vertices rows first cells acc f' Hf'). apply nth_In; auto. }
+  { apply (direction_level rows first cells acc). apply (hull_vertices rows first cells acc f' Hf'). apply nth_In;
+      auto. }
   destruct A as [Hv [Hv' A]].
   assert (Ex : h v' = (cone (rays f) v v' * h v)%R).
-  { rewrite (expand FP (rays f) h v') by auto. apply (total_one (rays f) v (fun w => (cone (rays f) w v' * h w)%R)); auto.
+  { rewrite (expand FP (rays f) h v') by auto. apply (total_one (rays f) v (fun w => (cone (rays f) w v' * h w)%R));
+      auto.
     - apply (cell_nodup FP); auto.
     - intros w Hw Dw. destruct (proj1 (A w)) as [Iw _]; auto. unfold h. rewrite !depth_ray by auto. ring. }
   destruct (cone_behind f i f' i' Hf B Hf' B' E X) as [_ Neg]. fold v v' in Neg.
@@ -393,7 +403,8 @@ Proof.
   assert (Lf := first_length rows first cells acc).
   assert (Hv : In (emb (toward (corner g 0))) (rays g)).
   { unfold rays, HullFan.rays, seen. apply (in_map (fun p => emb (HullFan.toward rows first p))). apply nth_In. lia. }
-  apply (least_value FP fan_glued depth (rays f) (rays g) x (emb (toward (corner g 0)))); auto; try (apply in_fan; eauto).
+  apply (least_value FP fan_glued depth (rays f) (rays g) x (emb (toward (corner g 0)))); auto; try (apply in_fan;
+    eauto).
   split.
   - intros u u' Hu Hu'. apply in_fan in Hu, Hu'. destruct Hu as [h [Hh ->]]. destruct Hu' as [h' [Hh' ->]].
     split; [apply affine_minus; apply depth_affine; auto | rewrite !depth_middle by auto; ring].

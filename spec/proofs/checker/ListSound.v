@@ -35,7 +35,8 @@ Proof.
 Qed.
 Lemma filter_in_sublists : forall f l, In (filter f l) (sublists l).
 Proof.
-  intros f. induction l as [|a l IH]; simpl; auto. apply in_or_app. destruct (f a); [left; apply in_map; auto | right; auto].
+  intros f. induction l as [|a l IH]; simpl; auto. apply in_or_app. destruct (f a); [left; apply in_map; auto | right;
+    auto].
 Qed.
 Lemma insert_ascending : forall a l, StronglySorted le l -> StronglySorted le (insert a l).
 Proof.
@@ -156,7 +157,8 @@ Proof.
     set (a := vsub (emb (place rows p)) (emb (place rows o))) in *.
     set (e := vsub (emb (place rows q)) (emb (place rows o))) in *.
     assert (A1 : dot g1 a = 1).
-    { unfold a. rewrite G1 by auto. destruct (vec_eq_dec _ _); [|congruence]. destruct (vec_eq_dec _ _); [exfalso; intuition congruence | lra]. }
+    { unfold a. rewrite G1 by auto. destruct (vec_eq_dec _ _); [|congruence]. destruct (vec_eq_dec _ _); [exfalso;
+        intuition congruence | lra]. }
     assert (A2 : dot g1 e = 0).
     { unfold e. rewrite G1 by auto. destruct (vec_eq_dec _ _); [exfalso; intuition congruence|].
       destruct (vec_eq_dec _ _); [exfalso; intuition congruence | lra]. }
@@ -164,7 +166,8 @@ Proof.
     { unfold a. rewrite G2 by auto. destruct (vec_eq_dec _ _); [exfalso; intuition congruence|].
       destruct (vec_eq_dec _ _); [exfalso; intuition congruence | lra]. }
     assert (A4 : dot g2 e = 1).
-    { unfold e. rewrite G2 by auto. destruct (vec_eq_dec _ _); [|congruence]. destruct (vec_eq_dec _ _); [exfalso; intuition congruence | lra]. }
+    { unfold e. rewrite G2 by auto. destruct (vec_eq_dec _ _); [|congruence]. destruct (vec_eq_dec _ _); [exfalso;
+        intuition congruence | lra]. }
     assert (Id : dot (cross g1 g2) (cross a e) = dot g1 a * dot g2 e - dot g1 e * dot g2 a)
       by (clear; vdestruct; vunfold; ring).
     rewrite K, A1, A2, A3, A4 in Id. unfold dot at 1, vzero in Id. simpl in Id. lra.
@@ -212,7 +215,8 @@ Proof.
   generalize (power (centre_of (places rows s)) (radius2_of (places rows s)) (emb (place rows p))). intro w.
   assert (N : IZR (scale_of (places rows s)) <> 0) by (intro E; apply eq_IZR in E; auto).
   assert (Q : 0 < IZR (scale_of (places rows s)) * IZR (scale_of (places rows s))) by nra.
-  revert Q. generalize (IZR (scale_of (places rows s)) * IZR (scale_of (places rows s))). intros k Q E. split; split; intro H.
+  revert Q. generalize (IZR (scale_of (places rows s)) * IZR (scale_of (places rows s))). intros k Q E. split; split;
+    intro H.
   - apply IZR_le in H. rewrite E in H. apply Rmult_le_reg_l with k; auto. lra.
   - apply le_IZR. rewrite E. apply Rmult_le_pos; lra.
   - subst z. symmetry in E. destruct (Rmult_integral _ _ E); auto. lra.
@@ -271,7 +275,8 @@ Qed.
 
 (* The centre in aff s of a sphere through s is unique. *)
 Lemma centre_unique : forall s z r2 z' s2 w w', length w = length s -> length w' = length s -> sum w = 1 ->
-  sum w' = 1 -> comb w s = z -> comb w' s = z' -> on_sphere z r2 s -> on_sphere z' s2 s -> z = z' /\ (s <> [] -> r2 = s2).
+  sum w' = 1 -> comb w s = z -> comb w' s = z' -> on_sphere z r2 s -> on_sphere z' s2 s -> z = z' /\ (s <> [] ->
+    r2 = s2).
 Proof.
   intros s z r2 z' s2 w w' L L' S S' E E' O O'.
   set (h := fun x => power z r2 x - power z' s2 x).
@@ -284,7 +289,8 @@ Proof.
     apply G. intros p Hp. unfold h. rewrite O, O' by auto. ring. }
   assert (H1 := Zero w L S). assert (H2 := Zero w' L' S'). rewrite E in H1. rewrite E' in H2.
   unfold h, power in H1, H2. rewrite dist2_refl in H1, H2. rewrite (dist2_sym z' z) in H2.
-  assert (D : dist2 z z' = 0) by lra. apply dist2_zero in D. split; auto. intros _. subst z'. rewrite D, dist2_refl in H1. lra.
+  assert (D : dist2 z z' = 0) by lra. apply dist2_zero in D. split; auto. intros _. subst z'. rewrite D,
+    dist2_refl in H1. lra.
 Qed.
 
 Theorem centred_is_listed : forall t z, centred_simplex real_cells t z ->

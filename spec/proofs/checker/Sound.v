@@ -295,7 +295,8 @@ Proof.
   rewrite <- cell_volume_real. rewrite map_app. simpl. rewrite <- !real_places. reflexivity.
 Qed.
 Lemma sample_coordinate_sign : forall k c i z, In c cells -> (i < length c)%nat ->
-  ((0 <= inner_side rows n (facet_at k c i) z)%Z -> (0 <= b (real rows c) (emb (place rows (nth i c 0%nat))) (emb z))%R) /\
+  ((0 <= inner_side rows n (facet_at k c i) z)%Z -> (0 <= b (real rows c) (emb (place rows (nth i c 0%nat))) (emb
+    z))%R) /\
   ((inner_side rows n (facet_at k c i) z < 0)%Z -> (b (real rows c) (emb (place rows (nth i c 0%nat))) (emb z) < 0)%R).
 Proof.
   intros k c i z Hc B. rewrite (sample_coordinate k c i z Hc B). generalize (Rinv_0_lt_compat _ (real_volume c Hc)).
@@ -372,7 +373,8 @@ Proof.
 Qed.
 (* A facet has a cell on its other side, or it is on the list of facets without a mate. *)
 Theorem accepted_paired : forall k c i, nth_error cells k = Some c -> (i < length c)%nat ->
-  (exists u' v', In u' real_cells /\ real rows c <> u' /\ across (real rows c) (emb (place rows (nth i c 0%nat))) u' v') \/
+  (exists u' v', In u' real_cells /\ real rows c <> u' /\ across (real rows c) (emb (place rows (nth i c 0%nat))) u'
+    v') \/
   In (facet_at k c i) (hull_facets all).
 Proof.
   intros k c i Hk B. assert (Hc : In c cells) by (eapply nth_error_In; eauto).
@@ -384,7 +386,8 @@ Proof.
     assert (Hc' : In c' cells) by (eapply nth_error_In; eauto).
     destruct (mate_of k c i k' c' j Hk Hk' B Bj D (eq_sym E)) as [_ S].
     exists (real rows c'), (emb (place rows (nth j c' 0%nat))). split; [apply in_real_cells; eauto|].
-    assert (A : across (real rows c) (emb (place rows (nth i c 0%nat))) (real rows c') (emb (place rows (nth j c' 0%nat))))
+    assert (A : across (real rows c) (emb (place rows (nth i c 0%nat))) (real rows c') (emb (place rows (nth j c'
+      0%nat))))
       by (apply samples_across; auto).
     split; auto. intro F.
     (* one cell cannot be on both sides *)

@@ -6,6 +6,10 @@ From Flowcert Require Import checker.Affine checker.Tiling checker.Delaunay.
 Import ListNotations.
 Open Scope R_scope.
 
+(* FC-CRIT-01, with the contact set K, or with some one. *)
+Definition stationary P x K := contact_set P x K /\ exists C, Forall2 (point_at P) K C /\ in_conv C x.
+Definition is_stationary P x := exists K, stationary P x K.
+
 (* A sample of a cell that has s as a face, but none of s. *)
 Definition link_sample (cells : list (list vec)) s p := exists t, In t cells /\ incl s t /\ In p t /\ ~ In p s.
 (* z is the centre of the sphere through the samples of s in aff s, as in_relint says that it lies there. *)
@@ -62,13 +66,13 @@ Proof.
   apply HK in Hi. destruct Hi as [p' [[_ E'] Near]]. rewrite Ei in E'. injection E'; intro; subst p'.
   split; auto. eapply nth_error_In; eauto.
 Qed.
-Lemma stationary_iff_nearest : forall P x, stationary P x <->
+Lemma stationary_iff_nearest : forall P x, is_stationary P x <->
   exists C, (forall p, In p C -> In p P /\ forall q, In q P -> dist2 x p <= dist2 x q) /\ in_conv C x.
 Proof.
   intros P x. split.
-  - intros [K [C [HK [F Hx]]]]. exists C. split; auto. eapply contacts_of; eauto.
+  - intros [K [HK [C [F Hx]]]]. exists C. split; auto. eapply contacts_of; eauto.
   - intros [C [HC Hx]]. destruct (contact_set_exists P x) as [K HK]. destruct (contact_points P x K HK) as [D [F I]].
-    exists K, D. split; auto. split; auto. apply (conv_incl C); auto. intros p Hp. apply I; apply HC; auto.
+    exists K. split; auto. exists D. split; auto. apply (conv_incl C); auto. intros p Hp. apply I; apply HC; auto.
 Qed.
 
 Section Stationary.
@@ -147,7 +151,7 @@ Proof.
   unfold h in H. lra.
 Qed.
 
-Theorem centred_is_stationary : forall s z, centred_simplex cells s z -> stationary P z /\ ~ In z P.
+Theorem centred_is_stationary : forall s z, centred_simplex cells s z -> is_stationary P z /\ ~ In z P.
 Proof.
   intros s z [T [N [L [Hz [r2 [S Link]]]]]].
   assert (Empty : forall p, In p P -> 0 <= power z r2 p) by (intros; apply (local_test s); auto).
@@ -163,7 +167,7 @@ Proof.
     rewrite (All v (or_introl eq_refl)), <- (All w (or_intror (or_introl eq_refl))). left. auto.
 Qed.
 
-Theorem stationary_is_centred : forall z, stationary P z -> ~ In z P -> exists s, centred_simplex cells s z.
+Theorem stationary_is_centred : forall z, is_stationary P z -> ~ In z P -> exists s, centred_simplex cells s z.
 Proof.
   intros z H Nz. apply stationary_iff_nearest in H. destruct H as [C [HC Hz]].
   assert (Pz : in_conv P z) by (apply (conv_incl C); auto; intros p Hp; apply HC; auto).

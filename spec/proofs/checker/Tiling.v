@@ -129,7 +129,8 @@ Proof.
   exists P. split; [|intros h [_ H]; exact H].
   intros y v t Ht Hy Hv. apply (space_mix proper); auto. apply (space_points proper); auto.
 Qed.
-Lemma perturb : forall (M : vec -> Prop) x e hs, movable M -> M x -> 0 < e -> (forall h, In h hs -> somewhere_nonzero h) ->
+Lemma perturb : forall (M : vec -> Prop) x e hs, movable M -> M x -> 0 < e -> (forall h, In h hs ->
+  somewhere_nonzero h) ->
   exists y, M y /\ dist2 y x < e /\ forall h, In h hs -> h y <> 0.
 Proof.
   intros M x e hs [V [Mix Non]] Hx He. induction hs as [|h hs IH]; intro N.
@@ -139,7 +140,8 @@ Proof.
     destruct (Req_dec (h y) 0) as [Z|Z].
     + destruct (soon_some _ (soon_and _ _ (soon_near y v x e Dy)
         (soon_all _ hs (fun k t => k (mix t y v) <> 0)
-          (fun k Hk => soon_nonzero k y v (lin_affine proper k (proj1 (N k (or_intror Hk)))) (Ny k Hk))))) as [t [Ht [D A]]].
+          (fun k Hk => soon_nonzero k y v (lin_affine proper k (proj1 (N k (or_intror Hk)))) (Ny k Hk))))) as [t [Ht [D
+            A]]].
       exists (mix t y v). split; [apply Mix; auto; lra|]. split; auto.
       intros k [<-|Hk]; [|apply A; auto].
       rewrite affine_mix by (apply (lin_affine proper); apply (N h (or_introl eq_refl))).
@@ -163,7 +165,8 @@ Proof.
 Qed.
 
 (* Around a point, what is in a cell has the coordinates positive that are positive at the point. *)
-Definition near_enough x e := 0 < e /\ forall u v z, In u cells -> In v u -> 0 < b u v x -> dist2 z x < e -> 0 < b u v z.
+Definition near_enough x e := 0 < e /\ forall u v z, In u cells -> In v u -> 0 < b u v x -> dist2 z x < e ->
+  0 < b u v z.
 Lemma near_enough_exists : forall x, exists e, near_enough x e.
 Proof.
   intro x. destruct (all_near coordinates x) as [e [He H]].
@@ -282,7 +285,8 @@ Proof.
     exists (h v y / (h v y - h v x)).
     assert (E : h v y / (h v y - h v x) * (h v y - h v x) = h v y) by (field; lra).
     set (r := h v y / (h v y - h v x)) in *. split; [split; nra|]. rewrite affine_mix by auto. nra. }
-  destruct (IH (fun w Hw => A w (or_intror Hw)) Ha (fun w Hw => N w (or_intror Hw))) as [All|[w [a [Hw [Ba [Zw [Xw All]]]]]]].
+  destruct (IH (fun w Hw => A w (or_intror Hw)) Ha (fun w Hw =>
+    N w (or_intror Hw))) as [All|[w [a [Hw [Ba [Zw [Xw All]]]]]]].
   - destruct (Rlt_or_le (h v x) 0) as [L|L].
     + right. destruct (Own L) as [a [Ba Z]]. exists v, a. repeat split; auto; try lra; [left; auto|].
       intros w [<-|Hw]; [lra|].
@@ -442,7 +446,8 @@ Qed.
 
 (* ---- A function for each cell, which does not fall where a facet is crossed ---- *)
 
-Definition rises (F : list vec -> vec -> R) := (forall u u', In u cells -> In u' cells -> lin (fun x => F u x - F u' x)) /\
+Definition rises (F : list vec -> vec -> R) := (forall u u', In u cells -> In u' cells -> lin (fun x =>
+  F u x - F u' x)) /\
   forall u v u' v', In u cells -> In u' cells -> u <> u' -> across u v u' v' ->
     (forall w, In w u' -> w <> v' -> F u w = F u' w) /\ F u' v' <= F u v'.
 
@@ -487,7 +492,8 @@ Proof.
   intros u1 u2 x H1 H2 I1 I2.
   destruct (covered_once glued) as [first [o [Hf [Io Far]]]].
   destruct (near_enough_exists proper x) as [e1 [He1 N1]]. destruct (far_near proper o) as [e2 [He2 N2]].
-  destruct (generic_near proper (in_cell K b first) (in_cell K b u2) o x (Rmin e1 e2)) as [o' [x' [Io' [Ix' [Do [Dx G]]]]]];
+  destruct (generic_near proper (in_cell K b first) (in_cell K b u2) o x (Rmin e1 e2)) as [o' [x' [Io' [Ix' [Do [Dx
+    G]]]]]];
     auto using inside_in_cell; try (eapply movable_cell; eauto).
   { apply Rmin_pos; auto. }
   generalize (Rmin_l e1 e2), (Rmin_r e1 e2). intros M1 M2.

@@ -1,10 +1,11 @@
-(* All samples are on the inner side of each facet without a mate, and some inner point of a cell is in no other cell: the
-   cells of a certificate that the checker accepts are glued well (step 4 of the proof of FC-CERT-02).
+(* All samples are on the inner side of each facet without a mate, and some inner point of a cell is in no other cell:
+   the cells of a certificate that the checker accepts are glued well (step 4 of the proof of FC-CERT-02).
    The proof walks from cell to cell out of the hull: the facet through which it gets out tells where that is. *)
 From Coq Require Import Reals ZArith Lra Lia List Bool Permutation Classical.
 From Flowcert Require Import algebra.Vector3 spec.Hull judge.Judge judge.Sound.
 From Flowcert Require Import checker.Simplices checker.Certificate checker.Conditions checker.Faces.
-From Flowcert Require Import checker.Affine checker.Volumes checker.Tiling checker.Sound checker.Checked checker.HullFan.
+From Flowcert Require Import checker.Affine checker.Volumes checker.Tiling checker.Sound checker.Checked
+  checker.HullFan.
 From Flowcert Require Import checker.HullSound checker.Delaunay.
 Import ListNotations.
 Local Arguments Z.mul : simpl never.
@@ -87,7 +88,8 @@ Proof.
   generalize (emb (origin (places rows first))) as o, (emb (normal (places rows first))) as N.
   clear. intros o N. destruct first as [|q0 [|q1 [|q2 [|q3 [|q4 c]]]]]; simpl; intro L; try lia; intro Lf.
   - assert (L0 := Lf q0 ltac:(auto)). assert (L1 := Lf q1 ltac:(auto)). unfold places. simpl.
-    transitivity (vscale (/ 2) (vadd (cross N (vsub (emb (place rows q0)) o)) (cross N (vsub (emb (place rows q1)) o)))).
+    transitivity (vscale (/ 2) (vadd (cross N (vsub (emb (place rows q0)) o)) (cross N (vsub (emb (place rows q1))
+      o)))).
     + unfold emb, zadd. simpl. rewrite !plus_IZR. clear. apply vec_eq; vunfold; field.
     + rewrite L0, L1. apply vec_eq; vunfold; ring.
   - assert (L0 := Lf q0 ltac:(auto)). assert (L1 := Lf q1 ltac:(auto)). assert (L2 := Lf q2 ltac:(auto 6)).
@@ -157,7 +159,8 @@ Proof.
 Qed.
 
 (* A point beyond all samples is in no cell. *)
-Lemma beyond : forall h k x s, affine h -> (forall p, In p P -> k <= h p) -> In s real_cells -> in_cell in_level b s x ->
+Lemma beyond : forall h k x s, affine h -> (forall p, In p P -> k <= h p) -> In s real_cells ->
+  in_cell in_level b s x ->
   k <= h x.
 Proof.
   intros h k x s Ah Le Hs [Lx Ix].
@@ -278,7 +281,8 @@ Proof.
   (* what is negative at both ends *)
   set (tests := flat_map (fun g => map (fun v x => -1 * cone (rays g) v (from_o x)) (rays g)) hull).
   assert (At : forall h, In h tests -> affine h).
-  { intros h Hh. apply in_flat_map in Hh. destruct Hh as [g [Hg Hh]]. apply in_map_iff in Hh. destruct Hh as [v [<- Hv]].
+  { intros h Hh. apply in_flat_map in Hh. destruct Hh as [g [Hg Hh]]. apply in_map_iff in Hh.
+      destruct Hh as [v [<- Hv]].
     apply affine_scale. apply (from_o_affine (cone (rays g) v)). apply (coord_lin FP); auto. apply in_fan; eauto. }
   assert (Ad : affine (fun x => depth (rays f) (from_o x)))
     by (apply from_o_affine; apply (depth_affine rows first cells checked); auto).
@@ -286,7 +290,8 @@ Proof.
   { unfold z0. rewrite (affine_mix (fun x => depth (rays f) (from_o x))) by auto. rewrite from_o_middle.
     assert (Dm : depth (rays f) vzero = 1) by (apply (depth_middle rows first cells checked); auto). rewrite Dm.
     assert (Zm : depth (rays f) (from_o m0) = 0).
-    { apply (hull_equal (fun x => depth (rays f) (from_o x)) (fun _ => 0) (real rows (vertices f))); auto using affine_const.
+    { apply (hull_equal (fun x => depth (rays f) (from_o x)) (fun _ => 0) (real rows (vertices f)));
+        auto using affine_const.
       intros w Hw. apply in_map_iff in Hw. destruct Hw as [p [<- Hp]]. rewrite from_o_sample.
       apply (depth_ray rows first cells checked f); auto. apply (in_map (fun p => emb (toward rows first p))). auto. }
     rewrite Zm. lra. }

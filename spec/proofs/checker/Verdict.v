@@ -4,7 +4,8 @@ From Coq Require Import Reals ZArith Lra Lia List Bool.
 From Flowcert Require Import algebra.Vector3 spec.Hull spec.CriticalPoint judge.Judge judge.Sound.
 From Flowcert Require Import checker.Simplices checker.Certificate checker.Conditions checker.Faces.
 From Flowcert Require Import checker.StationaryList checker.Affine checker.Volumes checker.Tiling checker.Delaunay.
-From Flowcert Require Import checker.StationarySimplices checker.Centres checker.Sound checker.ListSound checker.Checked.
+From Flowcert Require Import checker.StationarySimplices checker.Centres checker.Sound checker.ListSound
+  checker.Checked.
 From Flowcert Require Import checker.HullFan checker.HullSound checker.TilingSound.
 Import ListNotations.
 Open Scope R_scope.
@@ -18,7 +19,8 @@ Record delaunay_triangulation (P : list vec) (cells : list (list vec)) : Prop :=
   cells_meet_in_faces : forall c c' x, In c cells -> In c' cells -> in_conv c x -> in_conv c' x ->
     exists s, incl s c /\ incl s c' /\ in_conv s x;
   spheres_exist : forall c, In c cells -> exists z r2, forall v, In v c -> dist2 v z = r2;
-  spheres_are_empty : forall c z r2 p, In c cells -> (forall v, In v c -> dist2 v z = r2) -> In p P -> r2 <= dist2 p z }.
+  spheres_are_empty : forall c z r2 p, In c cells -> (forall v, In v c -> dist2 v z = r2) -> In p P ->
+    r2 <= dist2 p z }.
 
 Section Real.
 Variable P : list vec.
@@ -101,7 +103,7 @@ Proof.
   - apply in_map_iff in H. destruct H as [p [<- Hp]]. destruct (names_whole rows p Hp) as [i [Hi <-]].
     apply (in_map (fun i => emb (place rows i))). auto.
 Qed.
-Lemma sample_is_stationary : forall P p, In p P -> stationary P p.
+Lemma sample_is_stationary : forall P p, In p P -> is_stationary P p.
 Proof.
   intros P p Hp. apply stationary_iff_nearest. exists [p]. split.
   - intros q [<-|[]]. split; auto. intros r _. rewrite dist2_refl. apply dot_self_nonneg.
@@ -112,7 +114,7 @@ Proof.
   intros. unfold centre_of, places. simpl. apply vec_eq; simpl; ring.
 Qed.
 (* Where there is one point at most, only it is stationary. *)
-Lemma few_samples : forall P z, (length P < 2)%nat -> stationary P z -> In z P.
+Lemma few_samples : forall P z, (length P < 2)%nat -> is_stationary P z -> In z P.
 Proof.
   intros P z L H. apply stationary_iff_nearest in H. destruct H as [C [HC Hz]].
   assert (Q : in_conv P z) by (apply (conv_incl C); auto; intros p Hp; apply HC; auto).
@@ -153,14 +155,15 @@ Proof. apply (checked_holds _ _ _ _ accepts_cells). Qed.
 
 (* What is listed for simplices. *)
 Lemma simplices_right :
-  (forall s, In s (stationary_simplices rows cells) -> stationary P (centre_of (places rows s)) /\
+  (forall s, In s (stationary_simplices rows cells) -> is_stationary P (centre_of (places rows s)) /\
      ~ In (centre_of (places rows s)) P) /\
-  (forall z, stationary P z -> ~ In z P -> exists s, In s (stationary_simplices rows cells) /\
+  (forall z, is_stationary P z -> ~ In z P -> exists s, In s (stationary_simplices rows cells) /\
      centre_of (places rows s) = z) /\
   (forall s s', In s (stationary_simplices rows cells) -> In s' (stationary_simplices rows cells) ->
      centre_of (places rows s) = centre_of (places rows s') -> s = s') /\
   (forall s p, In s (stationary_simplices rows cells) -> (In p (contact_samples rows s) <-> In p (names rows) /\
-     forall q, In q P -> dist2 (centre_of (places rows s)) (emb (place rows p)) <= dist2 (centre_of (places rows s)) q)).
+     forall q, In q P -> dist2 (centre_of (places rows s)) (emb (place rows p)) <= dist2 (centre_of (places rows s))
+       q)).
 Proof.
   destruct (checked_holds _ _ _ _ accepts_cells) as [_ [[H1 [H2 H3]]|[first [Hf [acc checked]]]]].
   - subst cells. change (stationary_simplices rows []) with (@nil simplex).
@@ -178,7 +181,7 @@ Proof.
 Qed.
 
 (* The points of the list are the stationary points, one to one. *)
-Theorem list_is_whole : forall z, stationary P z <-> exists r, In r points /\ centre rows r = z.
+Theorem list_is_whole : forall z, is_stationary P z <-> exists r, In r points /\ centre rows r = z.
 Proof.
   destruct simplices_right as [R1 [R2 _]]. intro z. rewrite points_shape. split.
   - intro Hz. destruct (in_dec vec_eq_dec z P) as [I|I].
@@ -188,7 +191,8 @@ Proof.
     + destruct (R2 z Hz I) as [s [Hs E]]. eexists. split.
       * apply in_or_app. right. apply in_map_iff. exists s. split; [reflexivity | auto].
       * exact E.
-  - intros [r [Hr E]]. apply in_app_or in Hr. destruct Hr as [Hr|Hr]; apply in_map_iff in Hr; destruct Hr as [s [<- Hs]].
+  - intros [r [Hr E]]. apply in_app_or in Hr. destruct Hr as [Hr|Hr]; apply in_map_iff in Hr;
+      destruct Hr as [s [<- Hs]].
     + unfold centre in E. simpl simplex_of in E. rewrite sample_centre in E. subst z. apply sample_is_stationary.
       apply (in_map (fun i => emb (place rows i))). auto.
     + subst z. apply R1. auto.
@@ -222,7 +226,8 @@ Proof.
   apply in_app_or in Hr. destruct Hr as [Hr|Hr]; apply in_map_iff in Hr; destruct Hr as [s [<- Hs]].
   - unfold centre. simpl simplex_of. simpl contact_of. rewrite sample_centre. split.
     + intros [<-|[]]. split; auto. intros q _. rewrite dist2_refl. apply dot_self_nonneg.
-    + intros [Hp Near]. left. assert (I : In (emb (place rows s)) P) by (apply (in_map (fun i => emb (place rows i))); auto).
+    + intros [Hp Near]. left. assert (I : In (emb (place rows s)) P) by (apply (in_map (fun i => emb (place rows i)));
+        auto).
       generalize (Near _ I). rewrite dist2_refl. intro Le.
       assert (D : dist2 (emb (place rows s)) (emb (place rows p)) = 0).
       { generalize (dot_self_nonneg (vsub (emb (place rows s)) (emb (place rows p)))). unfold dist2 in *. lra. }

@@ -101,7 +101,8 @@ Proof.
 Qed.
 Lemma coordinate_one : forall n u v, cell_volume n u <> 0 -> In v u -> coordinate n u v v = 1.
 Proof.
-  intros n u v positive Hv. destruct (coordinate_split n u v positive Hv) as [l1 [l2 [E H]]]. rewrite H, <- E. field. auto.
+  intros n u v positive Hv. destruct (coordinate_split n u v positive Hv) as [l1 [l2 [E H]]]. rewrite H, <- E. field.
+    auto.
 Qed.
 Lemma coordinate_zero : forall n u v w, cell_volume n u <> 0 -> In v u -> In w u -> w <> v -> coordinate n u v w = 0.
 Proof.
@@ -141,7 +142,8 @@ Proof.
   - replace a3 with (/ d * (d * a3)) by (field; auto). rewrite E3. ring.
 Qed.
 
-Lemma expand_vectors : forall n u d o h x, cell_volume n u <> 0 -> length u = S d -> (forall v, In v u -> level d n o v) -> level d n o x ->
+Lemma expand_vectors : forall n u d o h x, cell_volume n u <> 0 -> length u = S d -> (forall v, In v u ->
+  level d n o v) -> level d n o x ->
   affine h -> h x = total u (fun v => coordinate n u v x * h v).
 Proof.
   intros n u d o h x positive L Hu Hx Ah.
@@ -171,7 +173,8 @@ Proof.
     rewrite Op, Oq, Ox. clear. vdestruct; volumes. ring. }
   destruct u' as [|s u'].
   { (* dimension 2 *)
-    assert (d = 2%nat) by (simpl in L; lia). subst d. change (sum (map F [p; q; r])) with (F p + (F q + (F r + 0))). unfold F.
+    assert (d = 2%nat) by (simpl in L; lia). subst d. change (sum (map F [p; q; r])) with (F p + (F q + (F r + 0))).
+      unfold F.
     rewrite (Swap [] p [q; r]), (Swap [p] q [r]), (Swap [p; q] r []) by reflexivity. rewrite !H.
     assert (Hp := Hu p (or_introl eq_refl)). assert (Hq := Hu q (or_intror (or_introl eq_refl))).
     assert (Hr := Hu r (or_intror (or_intror (or_introl eq_refl)))). simpl in Hp, Hq, Hr, Hx.

@@ -1,5 +1,4 @@
-(* FC-DIST-01, FC-CRIT-01 and 02: contact sets, stationary and critical points. P is the merged input, ids are its
-   positions. *)
+(* FC-DIST-01, FC-CRIT-02: contact sets and critical points. P is the merged input, ids are its positions. *)
 From Coq Require Import Reals ZArith List.
 From Flowcert Require Import algebra.Vector3 spec.Hull.
 Import ListNotations.
@@ -8,8 +7,6 @@ Open Scope R_scope.
 Definition point_at (P : list vec) (i : Z) (p : vec) := (0 <= i)%Z /\ nth_error P (Z.to_nat i) = Some p.
 Definition is_contact P x i := exists p, point_at P i p /\ forall q, In q P -> dist2 x p <= dist2 x q.
 Definition contact_set P x K := NoDup K /\ forall i, In i K <-> is_contact P x i.
-
-Definition stationary P x := exists K C, contact_set P x K /\ Forall2 (point_at P) K C /\ in_conv C x.
 
 (* The dimension of aff C: a basis of k of the differences to one of its points. *)
 Definition independent B := forall c, length c = length B -> comb c B = vzero -> Forall (fun a => a = 0) c.
