@@ -1,10 +1,10 @@
-(* Runs the extracted checker of certificates: checker POINTS CERTIFICATE, or checker --batch with a pair of names a line
-   on standard input. It prints what is proved, as flowcert-proof does; in a batch a line for each pair, with the exit
-   status in front, and behind it the kind and the contact set of each stationary point.
+(* Runs the extracted checker of certificates: checker POINTS CERTIFICATE, or checker --batch with a pair of names a
+   line on standard input. It prints what is proved, as flowcert-proof does. In a batch it prints a line for each pair:
+   the exit status, what is told, and the kind and the contact set of each stationary point.
    Exit status: 0, proved; 1, rejected; 2, cannot be decoded.
 
-   This file is not proved: it reads points, from text to doubles and from doubles to integers on one grid, and the
-   header of a certificate; and it counts and prints. All else is in spec/proofs/checker/. *)
+   This file is not proved. It reads points, from text to doubles and from doubles to integers on one grid, and the
+   header of a certificate, and it counts and prints. All else is in spec/proofs/checker/. *)
 module Integer = Z  (* zarith's own; the extracted code has another Z *)
 open Checker_extracted
 
@@ -63,8 +63,8 @@ let mantissa_and_exponent x =
 
 let on_grid rows =
   let parts = List.map (List.map mantissa_and_exponent) rows in
-  let least = List.fold_left (List.fold_left (fun least (m, e) -> if Integer.equal m Integer.zero then least else min least e)) in
-  let low = least 2000 parts in
+  let lower low (m, e) = if Integer.equal m Integer.zero then low else min low e in
+  let low = List.fold_left (List.fold_left lower) 2000 parts in
   let integer (m, e) = if Integer.equal m Integer.zero then Integer.zero else Integer.shift_left m (e - low) in
   let point = function [ x; y; z ] -> { zx = integer x; zy = integer y; zz = integer z } | _ -> assert false in
   List.map point parts

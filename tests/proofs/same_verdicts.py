@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """The extracted checker of certificates and flowcert-proof say the same: same_verdicts.py FLOWCERT PROOF CHECKER.
 
-Makes small inputs, 10,000 or --count, of dimension -1 to 3: random, cospherical, with repeated points; with certificates
-that are right, and with bytes flipped, cut off or added, cells left out or exchanged, points moved. Compares the exit
-status, the counts of stationary points where all is proved, and the condition where one fails; of right certificates
-also each kind and contact set with the list of FLOWCERT. Exit status 1 where something differs.
+Makes small inputs, 10,000 or --count, of dimension -1 to 3: random, cospherical, with repeated points. Their
+certificates are right, or have bytes flipped, cut off or added, cells left out or exchanged, or points moved.
+Compares the exit status, the counts of stationary points where all is proved, and the condition where one fails; of
+right certificates also each kind and contact set with the list of FLOWCERT. Exit status 1 where something differs.
 """
 import argparse
 import collections
@@ -37,7 +37,7 @@ def coordinates(rng):
 
 
 def cospherical(rng):
-    """Points of integers on one sphere, some of them turned by a quarter."""
+    """Points of integers on one sphere."""
     radius = rng.choice([3, 9, 25, 50, 81])
     near = range(-math.isqrt(radius) - 1, math.isqrt(radius) + 2)
     on = [p for p in itertools.product(near, repeat=3) if sum(x * x for x in p) == radius]

@@ -1,7 +1,6 @@
-(* The cones over the facets without a mate are glued well, so that they tile all directions; and of the planes of these
-   facets, the one of the cone that has a point is the one that the point is least inside of (steps 1 to 3 of the proof
-   of
-   FC-CERT-02). *)
+(* The cones over the facets without a mate are glued well, so that they tile all directions (steps 1 and 2 of the proof
+   of FC-CERT-02).
+   Of the planes of these facets, a point is least inside of the one in whose cone it is (step 3). *)
 From Coq Require Import Reals ZArith Lra Lia List Bool Permutation.
 From Flowcert Require Import algebra.Vector3 spec.Hull judge.Judge judge.Sound.
 From Flowcert Require Import checker.Simplices checker.Certificate checker.Conditions checker.Faces.
