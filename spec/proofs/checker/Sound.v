@@ -371,6 +371,29 @@ Proof.
   destruct (mate_of k c i k2 c2 j2 Hk Hk2 Bi B2) as [M2 _]; auto; [intros [-> _]; apply D2; congruence|].
   rewrite M1 in M2. injection M2. intros. subst. congruence.
 Qed.
+(* No cell is there twice. *)
+Theorem accepted_once : NoDup real_cells.
+Proof.
+  assert (N : NoDup cells).
+  { apply NoDup_nth_error. intros k k' B E. destruct (Nat.eq_dec k k') as [|D]; auto. exfalso.
+    destruct (nth_error cells k) as [c|] eqn:Hk; [|apply nth_error_None in Hk; lia]. symmetry in E.
+    assert (Hc : In c cells) by (eapply nth_error_In; eauto). generalize (cell_length c Hc). intro L.
+    destruct (mate_of k c 0 k' c 0 Hk E) as [_ S]; auto; try lia.
+    rewrite inner_side_own in S by lia. generalize (acc_positive _ _ _ acc c Hc). fold n. lia. }
+  assert (Inj : forall c c', (forall p, In p c -> In p (names rows)) -> (forall p, In p c' -> In p (names rows)) ->
+    real rows c = real rows c' -> c = c').
+  { induction c as [|p c IH]; intros [|p' c'] H H' E; auto; try discriminate.
+    assert (E1 := f_equal (hd vzero) E). assert (E2 := f_equal (@tl vec) E). f_equal.
+    - apply place_injective; auto; [apply H | apply H']; left; auto.
+    - apply IH; auto; intros; [apply H | apply H']; right; auto. }
+  assert (G : forall l, NoDup l -> incl l cells -> NoDup (map (real rows) l)).
+  { induction 1 as [|c l Hc Nl IH]; intro I; simpl; constructor.
+    - intro F. apply in_map_iff in F. destruct F as [c' [E Hc']]. apply Hc. replace c with c'; auto.
+      apply Inj; auto; intros; [apply (acc_names _ _ _ acc c') | apply (acc_names _ _ _ acc c)]; auto; apply I;
+        [right | left]; auto.
+    - apply IH. intros x Hx. apply I. right. auto. }
+  apply G; auto. intros x Hx. auto.
+Qed.
 (* A facet has a cell on its other side, or it is on the list of facets without a mate. *)
 Theorem accepted_paired : forall k c i, nth_error cells k = Some c -> (i < length c)%nat ->
   (exists u' v', In u' real_cells /\ real rows c <> u' /\ across (real rows c) (emb (place rows (nth i c 0%nat))) u'

@@ -15,6 +15,8 @@ Record delaunay_triangulation (P : list vec) (cells : list (list vec)) : Prop :=
   vertices_are_samples : forall p, In p P <-> exists c, In c cells /\ In p c;
   cells_are_simplices : forall c w w', In c cells -> length w = length c -> length w' = length c ->
     sum w = 1 -> sum w' = 1 -> comb w c = comb w' c -> w = w';
+  cells_are_maximal : forall c c', In c cells -> In c' cells -> incl c c' -> c = c';
+  each_cell_once : NoDup cells;
   cells_fill_the_hull : forall x, in_conv P x <-> exists c, In c cells /\ in_conv c x;
   cells_meet_in_faces : forall c c' x, In c cells -> In c' cells -> in_conv c x -> in_conv c' x ->
     exists s, incl s c /\ incl s c' /\ in_conv s x;
@@ -29,6 +31,7 @@ Variable b : list vec -> vec -> vec -> R.
 Hypothesis proper : proper_cells (in_conv P) affine P cells b.
 Hypothesis glued : glued_cells (in_conv P) cells b.
 Hypothesis local : local_delaunay P cells.
+Hypothesis once : NoDup cells.
 
 Lemma weights_of : forall c w, In c cells -> length w = length c -> sum w = 1 ->
   w = map (fun v => b c v (comb w c)) c.
@@ -62,11 +65,25 @@ Proof.
       rewrite (coord_zero proper) by auto. lra.
 Qed.
 
+Lemma maximal : forall c c', In c cells -> In c' cells -> incl c c' -> c = c'.
+Proof.
+  intros c c' Hc Hc' I. destruct (covered_once glued) as [first [o [_ [[Po _] _]]]].
+  destruct (cell_has_vertex P cells b proper c o Hc Po) as [v Hv].
+  destruct (perturb proper (in_cell (in_conv P) b c) v 1 (coordinates (cells := cells) (b := b)) (movable_cell proper c Hc)
+    (vertex_in_cell proper c v Hc Hv) ltac:(lra) (coordinates_nonzero proper)) as [y [Iy [_ Ny]]].
+  apply (cells_disjoint proper glued c c' y); auto.
+  - split; [apply Iy|]. intros w Hw.
+    generalize (proj2 Iy w Hw), (Ny (b c w) (in_coordinates c w Hc Hw)). lra.
+  - apply cell_is_conv; auto. apply (conv_incl c); auto. apply cell_is_conv; auto.
+Qed.
+
 Theorem triangulation_of : delaunay_triangulation P cells.
 Proof.
   split.
   - intro p. split; [apply (all_in_cells _ _ local)|]. intros [c [Hc Hp]]. apply (cell_points proper c); auto.
   - intros c w w' Hc L L' S S' E. rewrite (weights_of c w Hc L S), (weights_of c w' Hc L' S'), E. auto.
+  - apply maximal.
+  - exact once.
   - intro x. split.
     + intro Hx. destruct (cells_cover proper glued x Hx) as [c [Hc I]]. exists c. split; auto. apply cell_is_conv; auto.
     + intros [c [Hc I]]. apply (conv_incl c); auto. apply (cell_points proper); auto.
@@ -146,6 +163,7 @@ Proof.
   - left. split; auto. unfold P, samples, real. rewrite map_length. lia.
   - right. apply (triangulation_of P _ _ (accepted_proper rows first cells acc)
       (accepted_glued rows first cells acc checked) (accepted_local rows first cells acc)).
+    apply (accepted_once rows first cells acc).
 Qed.
 
 Lemma points_shape : points = map (fun p => StationaryPoint Index0 [p] [p]) (names rows) ++
