@@ -126,8 +126,6 @@ Lemma total_zero : forall u f, (forall v, In v u -> f v = 0) -> total u f = 0.
 Proof.
   intros u f. unfold total. induction u as [|v u IH]; simpl; intro H; auto. rewrite IH, H by auto. lra.
 Qed.
-Lemma total_plus : forall u f g, total u (fun v => f v + g v) = total u f + total u g.
-Proof. intros. unfold total. induction u; simpl; lra. Qed.
 Lemma total_scale : forall u k f, total u (fun v => k * f v) = k * total u f.
 Proof. intros. unfold total. induction u; simpl; [lra|]. rewrite IHu. ring. Qed.
 Lemma total_nonneg : forall u f, (forall v, In v u -> 0 <= f v) -> 0 <= total u f.

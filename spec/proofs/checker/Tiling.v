@@ -390,18 +390,6 @@ Qed.
 
 (* ---- Two walks that end in one cell began in one cell ---- *)
 
-Lemma entered_once : forall y x a u v a' u' v' s w,
-  In u cells -> In u' cells -> In s cells -> K y -> K x ->
-  crosses y x a u v s w -> crosses y x a' u' v' s w -> a = a'.
-Proof.
-  intros y x a u v a' u' v' s w Hu Hu' Hs Py Px C C'.
-  destruct C as [Ba [[_ [Hw _]] [_ [_ [_ [_ [_ [Z [X _]]]]]]]]].
-  destruct C' as [Ba' [_ [_ [_ [_ [_ [_ [Z' _]]]]]]]].
-  rewrite affine_mix in Z, Z' by (apply b_affine; auto).
-  set (r := b s w y) in *. set (k := b s w x) in *.
-  assert ((a - a') * (k - r) = 0) by lra. destruct (Rmult_integral _ _ H) as [E|E]; [lra|].
-  assert (r = k) by lra. exfalso. nra.
-Qed.
 Lemma not_entered : forall y x a u v s w, In u cells -> In s cells -> inside K b s y -> K x ->
   ~ crosses y x a u v s w.
 Proof.
