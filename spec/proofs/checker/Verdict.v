@@ -69,7 +69,8 @@ Lemma maximal : forall c c', In c cells -> In c' cells -> incl c c' -> c = c'.
 Proof.
   intros c c' Hc Hc' I. destruct (covered_once glued) as [first [o [_ [[Po _] _]]]].
   destruct (cell_has_vertex P cells b proper c o Hc Po) as [v Hv].
-  destruct (perturb proper (in_cell (in_conv P) b c) v 1 (coordinates (cells := cells) (b := b)) (movable_cell proper c Hc)
+  destruct (perturb proper (in_cell (in_conv P) b c) v 1 (coordinates (cells := cells) (b := b))
+    (movable_cell proper c Hc)
     (vertex_in_cell proper c v Hc Hv) ltac:(lra) (coordinates_nonzero proper)) as [y [Iy [_ Ny]]].
   apply (cells_disjoint proper glued c c' y); auto.
   - split; [apply Iy|]. intros w Hw.
