@@ -13,7 +13,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SOURCE = ROOT / "spec" / "proofs"
-ROW = re.compile(r"^- `([\w.]+)`: .*; (\d+) axioms\.$", re.MULTILINE)
+ROW = re.compile(r"^- `([\w.]+)`: .*; (\d+) axioms?\.$", re.MULTILINE)
 
 
 def fail(message):
