@@ -3,7 +3,7 @@
    behind none of them in its own direction (step 3).
    Vectors from o are taken d + 1 times as long, so that they are integers. *)
 From Coq Require Import Reals ZArith Lra Lia List Bool Permutation.
-From Flowcert Require Import algebra.Vector3 spec.Hull judge.Judge judge.Sound.
+From Flowcert Require Import algebra.Vector3 spec.Hull judge.Judge judge.Dimension.
 From Flowcert Require Import checker.Simplices checker.Certificate checker.Conditions checker.Faces.
 From Flowcert Require Import checker.Affine checker.Volumes checker.Tiling checker.Sound checker.Checked.
 Import ListNotations.

@@ -2,7 +2,7 @@
    of FC-CERT-02).
    Of the planes of these facets, a point is least inside of the one in whose cone it is (step 3). *)
 From Coq Require Import Reals ZArith Lra Lia List Bool Permutation.
-From Flowcert Require Import algebra.Vector3 spec.Hull judge.Judge judge.Sound.
+From Flowcert Require Import algebra.Vector3 spec.Hull judge.Judge judge.Dimension.
 From Flowcert Require Import checker.Simplices checker.Certificate checker.Conditions checker.Faces.
 From Flowcert Require Import checker.Affine checker.Volumes checker.Tiling checker.Sound checker.Checked
   checker.HullFan.

@@ -1,6 +1,6 @@
 (* The simplices that the checker lists are those of FC-CERT-03, each once, and its contact sets are right. *)
 From Coq Require Import Reals ZArith Lra Lia List Bool Permutation Sorting.
-From Flowcert Require Import algebra.Vector3 spec.Hull spec.CriticalPoint judge.Judge judge.Sound.
+From Flowcert Require Import algebra.Vector3 spec.Hull spec.CriticalPoint judge.Judge judge.Dimension.
 From Flowcert Require Import checker.Simplices checker.Certificate checker.Conditions checker.Faces.
 From Flowcert Require Import checker.StationaryList checker.Affine checker.Volumes checker.Tiling checker.Delaunay.
 From Flowcert Require Import checker.StationarySimplices checker.Centres checker.Sound.

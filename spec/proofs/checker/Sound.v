@@ -1,7 +1,7 @@
 (* What the conditions T0 to T3 and T8, as the checker computes them, say of points of real numbers: the cells have
    barycentric coordinates, paired facets have their cells on either side, and neighbours are locally Delaunay. *)
 From Coq Require Import Reals ZArith Lra Lia List Bool Permutation.
-From Flowcert Require Import algebra.Vector3 spec.Hull judge.Judge judge.Sound.
+From Flowcert Require Import algebra.Vector3 spec.Hull judge.Judge judge.Dimension.
 From Flowcert Require Import checker.Simplices checker.Certificate checker.Conditions checker.Faces.
 From Flowcert Require Import checker.Affine checker.Volumes checker.Tiling checker.Delaunay checker.Centres.
 Import ListNotations.

@@ -2,7 +2,7 @@
    the cells of a certificate that the checker accepts are glued well (step 4 of the proof of FC-CERT-02).
    The proof walks from cell to cell out of the hull: the facet through which it gets out tells where that is. *)
 From Coq Require Import Reals ZArith Lra Lia List Bool Permutation Classical.
-From Flowcert Require Import algebra.Vector3 spec.Hull judge.Judge judge.Sound.
+From Flowcert Require Import algebra.Vector3 spec.Hull judge.Judge judge.Dimension.
 From Flowcert Require Import checker.Simplices checker.Certificate checker.Conditions checker.Faces.
 From Flowcert Require Import checker.Affine checker.Volumes checker.Tiling checker.Sound checker.Checked
   checker.HullFan.

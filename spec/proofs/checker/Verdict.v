@@ -1,7 +1,7 @@
 (* What a certificate proves that the checker accepts: a Delaunay triangulation (FC-CERT-02), and all stationary points,
    each once, with their contact sets (FC-CERT-03 and 05). *)
 From Coq Require Import Reals ZArith Lra Lia List Bool.
-From Flowcert Require Import algebra.Vector3 spec.Hull spec.CriticalPoint judge.Judge judge.Sound.
+From Flowcert Require Import algebra.Vector3 spec.Hull spec.CriticalPoint judge.Judge judge.Dimension.
 From Flowcert Require Import checker.Simplices checker.Certificate checker.Conditions checker.Faces.
 From Flowcert Require Import checker.StationaryList checker.Affine checker.Volumes checker.Tiling checker.Delaunay.
 From Flowcert Require Import checker.StationarySimplices checker.Centres checker.Sound checker.ListSound

@@ -1,7 +1,8 @@
 (* Points of a grid as vectors of R^3, and the dimension of their affine hull, which the judge computes by products of
    integers: Judge.zrank is right, and so is it for points that are scaled by the grid's unit. *)
 From Coq Require Import Reals ZArith Lra Lia List Bool.
-From Flowcert Require Import algebra.Vector3 spec.Hull spec.CriticalPoint spec.StationaryPoint judge.Judge.
+From Flowcert Require Import algebra.Vector3 spec.Hull spec.CriticalPoint spec.StationaryPoint spec.Dimension
+  judge.Judge.
 Import ListNotations.
 
 Definition emb (p : zvec) : vec := V (IZR (zx p)) (IZR (zy p)) (IZR (zz p)).
@@ -28,9 +29,21 @@ Proof.
   - intros [[-> ->] ->]. reflexivity.
 Qed.
 
-(* ---- Dimension ---- *)
-
 Open Scope R_scope.
+
+Lemma emb_comb : forall k w C, k <> 0 ->
+  comb (map (fun a => IZR a / k) w) (map emb C) = vscale (/ k) (emb (zcomb w C)).
+Proof.
+  intros k. induction w as [|a w IH]; intros [|p C] Hk; simpl; try (apply vec_eq; simpl; ring).
+  rewrite IH by auto. unfold zadd, zscale, emb; simpl.
+  apply vec_eq; simpl; rewrite plus_IZR, mult_IZR; field; auto.
+Qed.
+Lemma emb_sum : forall k w, k <> 0 -> sum (map (fun a => IZR a / k) w) = IZR (zsum w) / k.
+Proof.
+  intros k w Hk. induction w as [|a w IH]; simpl; [field; auto|]. rewrite IH, plus_IZR. field; auto.
+Qed.
+
+(* ---- Dimension ---- *)
 
 Lemma find_some_or_none : forall (f : zvec -> bool) l,
   (exists d, find f l = Some d /\ In d l /\ f d = true) \/ (find f l = None /\ forall d, In d l -> f d = false).
@@ -42,10 +55,8 @@ Qed.
 
 Lemma independent_1 : forall d, d <> vzero -> independent [d].
 Proof.
-  intros d Hd [|a [|? ?]] L H; try discriminate. constructor; [|constructor].
-  destruct (Req_dec a 0) as [|Ha]; auto. exfalso. apply Hd.
-  simpl in H. destruct d; unfold vadd, vscale, vzero in H; simpl in H; injection H; intros.
-  apply vec_eq; simpl; apply Rmult_eq_reg_l with a; auto; lra.
+  intros d Hd. apply (independent_cons [] d); [intros b [] | intro E; apply Hd, dot_self_zero, E |].
+  intros [|a c] L _; [constructor | discriminate].
 Qed.
 Lemma span_1 : forall d v, d <> vzero -> cross d v = vzero -> in_span [d] v.
 Proof.
@@ -66,22 +77,10 @@ Qed.
 
 Lemma independent_2 : forall a b, cross a b <> vzero -> independent [a; b].
 Proof.
-  intros a b H [|s [|t [|? ?]]] L E; try discriminate. simpl in E.
-  assert (Hn : dot (cross a b) (cross a b) <> 0) by (intro Hz; apply H, dot_self_zero, Hz).
-  assert (Es : cross (vadd (vscale s a) (vadd (vscale t b) vzero)) b = vscale s (cross a b))
-    by (apply vec_eq; clear; vdestruct; vunfold; ring).
-  assert (Et : cross a (vadd (vscale s a) (vadd (vscale t b) vzero)) = vscale t (cross a b))
-    by (apply vec_eq; clear; vdestruct; vunfold; ring).
-  rewrite E in Es, Et.
-  assert (Z1 : cross vzero b = vzero) by (apply vec_eq; vunfold; ring).
-  assert (Z2 : cross a vzero = vzero) by (apply vec_eq; vunfold; ring).
-  rewrite Z1 in Es. rewrite Z2 in Et.
-  assert (K : forall k, vzero = vscale k (cross a b) -> k = 0).
-  { intros k Hk. apply Rmult_eq_reg_r with (dot (cross a b) (cross a b)); auto.
-    replace (k * dot (cross a b) (cross a b)) with (dot (vscale k (cross a b)) (cross a b))
-      by (unfold dot, vscale; simpl; ring).
-    rewrite <- Hk. unfold dot, vzero; simpl. ring. }
-  repeat constructor; apply K; auto.
+  intros a b H. apply (independent_cons [b] (cross b (cross a b))).
+  - intros q [<-|[]]. clear. vdestruct; vunfold; ring.
+  - intro E. apply H, dot_self_zero. rewrite <- E. clear. vdestruct; vunfold; ring.
+  - apply independent_1. intros ->. apply H. apply vec_eq; vunfold; ring.
 Qed.
 Lemma span_2 : forall a b v, cross a b <> vzero -> det v a b = 0 -> in_span [a; b] v.
 Proof.
@@ -100,15 +99,10 @@ Qed.
 
 Lemma independent_3 : forall c a b, det c a b <> 0 -> independent [c; a; b].
 Proof.
-  intros c a b H [|r [|s [|t [|? ?]]]] L E; try discriminate. simpl in E.
-  set (v := vadd (vscale r c) (vadd (vscale s a) (vadd (vscale t b) vzero))) in *.
-  assert (Er : det v a b = r * det c a b) by (unfold v; clear; vdestruct; vunfold; ring).
-  assert (Es : det c v b = s * det c a b) by (unfold v; clear; vdestruct; vunfold; ring).
-  assert (Et : det c a v = t * det c a b) by (unfold v; clear; vdestruct; vunfold; ring).
-  rewrite E in Er, Es, Et.
-  assert (det vzero a b = 0 /\ det c vzero b = 0 /\ det c a vzero = 0)
-    by (clear; vdestruct; vunfold; repeat split; ring).
-  repeat constructor; apply Rmult_eq_reg_r with (det c a b); auto; lra.
+  intros c a b H. apply (independent_cons [a; b] (cross a b)).
+  - intros q [<-|[<-|[]]]; clear; vdestruct; vunfold; ring.
+  - intro E. apply H. rewrite <- E. clear. vdestruct; vunfold; ring.
+  - apply independent_2. intro E. apply H. unfold det. rewrite E. clear. vdestruct; vunfold; ring.
 Qed.
 Lemma span_3 : forall c a b v, det c a b <> 0 -> in_span [c; a; b] v.
 Proof.

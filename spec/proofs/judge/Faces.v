@@ -8,18 +8,6 @@ Open Scope R_scope.
 
 (* ---- Weights ---- *)
 
-Lemma emb_comb : forall k w C, k <> 0 ->
-  comb (map (fun a => IZR a / k) w) (map emb C) = vscale (/ k) (emb (zcomb w C)).
-Proof.
-  intros k. induction w as [|a w IH]; intros [|p C] Hk; simpl; try (apply vec_eq; simpl; ring).
-  rewrite IH by auto. unfold zadd, zscale, emb; simpl.
-  apply vec_eq; simpl; rewrite plus_IZR, mult_IZR; field; auto.
-Qed.
-Lemma emb_sum : forall k w, k <> 0 -> sum (map (fun a => IZR a / k) w) = IZR (zsum w) / k.
-Proof.
-  intros k w Hk. induction w as [|a w IH]; simpl; [field; auto|]. rewrite IH, plus_IZR. field; auto.
-Qed.
-
 (* The place c / W, on a grid of the unit s. *)
 Definition center_at s W c := vscale (s / IZR W) (emb c).
 
