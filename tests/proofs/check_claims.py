@@ -20,7 +20,7 @@ sys.dont_write_bytecode = True
 ROOT = Path(__file__).resolve().parents[2]
 sys.path += [str(ROOT / "spec"), str(ROOT / "tests" / "conformance")]
 import weights
-from judge_program import built_judge
+from proved_program import built
 from read_claim import Unreadable, decompressed, read_claim
 from stationary_points_from_spec import read_points
 
@@ -141,7 +141,7 @@ def main():
         claim = read_claim(sampled(data, options.sample, options.seed) if options.sample else data, len(rows))
         if claim.head.get("points", len(rows)) != len(rows):
             return unusable(f"a list of {claim.head['points']:,} points, but {len(rows):,} points")
-        judge = built_judge(options.build)
+        judge = built("judge", options.build)
     except OSError as error:
         return unusable(f"{error.filename}: {error.strerror}")
     except subprocess.CalledProcessError as error:

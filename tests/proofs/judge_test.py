@@ -24,7 +24,7 @@ from pathlib import Path
 
 import check_claims
 import weights
-from judge_program import built_judge
+from proved_program import built
 from read_claim import exchange_point, parse, read_claim
 
 VECTORS = check_claims.ROOT / "spec" / "vectors"
@@ -222,7 +222,7 @@ def main():
     parser.add_argument("--small", action="store_true")
     parser.add_argument("--scan", nargs=2, metavar=("FLOWCERT", "POINTS"))
     options = parser.parse_args()
-    judge, rng = built_judge(options.build), random.Random(7)
+    judge, rng = built("judge", options.build), random.Random(7)
     all_cases = cases()
     faults = vectors_proved(judge, all_cases[::40] if options.small else all_cases)
     faults += changes_refused(judge, options.oracle, all_cases, 50 if options.small else 1000, rng)
