@@ -9,7 +9,6 @@ Import ListNotations.
 Open Scope R_scope.
 
 Definition lift z r2 x := dot x x - power z r2 x.
-Definition on_sphere z r2 C := forall p, In p C -> dist2 z p = r2.
 Definition same_sign a b := (0 < a <-> 0 < b) /\ (a = 0 <-> b = 0) /\ (a < 0 <-> b < 0).
 
 (* The lifts of two spheres differ by a linear function and a constant. *)
@@ -17,8 +16,8 @@ Definition gradient z z' := vscale 2 (vsub z' z).
 Lemma lift_difference : forall z r2 z' r2' x,
   lift z' r2' x - lift z r2 x = dot (gradient z z') x - (dot z' z' - dot z z - r2' + r2).
 Proof. intros. unfold lift, power, gradient. vdestruct; vunfold; ring. Qed.
-Lemma lift_at_sample : forall z r2 p, dist2 z p = r2 -> lift z r2 p = dot p p.
-Proof. intros z r2 p E. unfold lift, power. rewrite E. ring. Qed.
+Lemma lift_at_sample : forall z r2 p, power z r2 p = 0 -> lift z r2 p = dot p p.
+Proof. intros z r2 p E. unfold lift. rewrite E. ring. Qed.
 
 (* Both lifts are the same on the common facet. *)
 Lemma lifts_on_facet : forall F z r2 z' r2' x, on_sphere z r2 F -> on_sphere z' r2' F -> in_aff F x ->
@@ -43,8 +42,8 @@ Proof.
   intros F p q z r2 z' r2' t S S' Ht H.
   apply (lifts_on_facet F z r2 z' r2') in H; try (intros f Hf; first [apply S | apply S']; right; exact Hf).
   apply Rminus_diag_eq in H.
-  assert (Sp : dist2 z p = r2) by (apply S; left; auto).
-  assert (Sq : dist2 z' q = r2') by (apply S'; left; auto).
+  assert (Sp : dist2 z p = r2) by (apply (on_sphere_at _ _ _ p S); left; auto).
+  assert (Sq : dist2 z' q = r2') by (apply (on_sphere_at _ _ _ q S'); left; auto).
   apply (multiples_same_sign _ _ t (1 - t)); [lra | lra |]. apply Rminus_diag_uniq_sym. rewrite <- H.
   unfold lift, power. rewrite <- Sp, <- Sq. clear. vdestruct; vunfold; ring.
 Qed.
@@ -69,10 +68,11 @@ Theorem local_test_in_space : forall a b c p q z z',
   same_sign (power z (dist2 z a) q) (power z' (dist2 z' a) p).
 Proof.
   intros a b c p q z z' S S' P Q.
+  assert (D := fun f => on_sphere_at _ _ _ f S). assert (D' := fun f => on_sphere_at _ _ _ f S').
   apply (multiples_same_sign _ _ (volume_in_space p a b c) (volume_in_space q b a c)); auto. clear P Q.
-  rewrite (power_from z z' a p), (power_from z' z a q), gradient_back; [|apply S' | apply S]; simpl; auto.
-  assert (B : dot (gradient z z') (vsub b a) = 0) by (apply facet_level; [apply S | apply S']; simpl; auto).
-  assert (C : dot (gradient z z') (vsub c a) = 0) by (apply facet_level; [apply S | apply S']; simpl; auto).
+  rewrite (power_from z z' a p), (power_from z' z a q), gradient_back; [|apply D' | apply D]; simpl; auto.
+  assert (B : dot (gradient z z') (vsub b a) = 0) by (apply facet_level; [apply D | apply D']; simpl; auto).
+  assert (C : dot (gradient z z') (vsub c a) = 0) by (apply facet_level; [apply D | apply D']; simpl; auto).
   revert B C. generalize (gradient z z'). clear. intros g B C. apply Rminus_diag_uniq.
   transitivity (dot g (vsub c a) * det (vsub p a) (vsub q a) (vsub b a)
                 - dot g (vsub b a) * det (vsub p a) (vsub q a) (vsub c a)); [|rewrite B, C; ring].
@@ -90,7 +90,7 @@ Proof.
   set (z := centre_at p _) in *. set (z' := centre_at q _) in *. clearbody z z'.
   rewrite (lifted_in_space_power p a b c z), (lifted_in_space_power q b a c z') by auto. rewrite <- A, <- A'.
   destruct (local_test_in_space a b c p q z z') as [H1 [H2 H3]]; auto;
-    try (intros f [<-|[<-|[<-|[]]]]; congruence).
+    try (intros f Hf; apply Rminus_diag_eq; destruct Hf as [<-|[<-|[<-|[]]]]; congruence).
   set (v := volume_in_space p a b c) in *. set (v' := volume_in_space q b a c) in *.
   set (x := power z _ q) in *. set (x' := power z' _ p) in *. clearbody v v' x x'. clear - P Q H1 H2 H3.
   assert (M : forall m y, 0 < m -> (0 < m * y <-> 0 < y) /\ (m * y = 0 <-> y = 0) /\ (m * y < 0 <-> y < 0)).
@@ -106,9 +106,10 @@ Theorem local_test_in_plane : forall m a b p q z z',
   same_sign (power z (dist2 z a) q) (power z' (dist2 z' a) p).
 Proof.
   intros m a b p q z z' S S' F P Q.
+  assert (D := fun f => on_sphere_at _ _ _ f S). assert (D' := fun f => on_sphere_at _ _ _ f S').
   apply (multiples_same_sign _ _ (volume_in_plane m p a b) (volume_in_plane m q b a)); auto. clear P Q.
-  rewrite (power_from z z' a p), (power_from z' z a q), gradient_back; [|apply S' | apply S]; simpl; auto.
-  assert (B : dot (gradient z z') (vsub b a) = 0) by (apply facet_level; [apply S | apply S']; simpl; auto).
+  rewrite (power_from z z' a p), (power_from z' z a q), gradient_back; [|apply D' | apply D]; simpl; auto.
+  assert (B : dot (gradient z z') (vsub b a) = 0) by (apply facet_level; [apply D | apply D']; simpl; auto).
   revert B F. generalize (gradient z z'). clear. intros g B F. apply Rminus_diag_uniq.
   transitivity (dot m g * det (vsub b a) (vsub p a) (vsub q a)
                 - dot g (vsub b a) * dot m (cross (vsub p a) (vsub q a))); [|rewrite B, F; ring].

@@ -4,12 +4,15 @@
    (side_of_sphere in oracle/proof/points.h, outside in spec/proof.py, OutsideSphere in src/geometry/predicates.h).
    Both are the cell's volume, or the centre's denominator, times the power of the point to the sphere. So where that
    factor is positive, they are positive, zero and negative outside of the sphere, on it and inside. *)
-From Coq Require Import Reals Lra Lia.
+From Coq Require Import Reals Lra Lia List.
 From Flowcert Require Import algebra.Vector3 algebra.Tetrahedron.
 Open Scope R_scope.
 
 (* The power of x to the sphere around z with the squared radius r2. *)
 Definition power z r2 x := dist2 z x - r2.
+Definition on_sphere z r2 C := forall p, In p C -> power z r2 p = 0.
+Lemma on_sphere_at : forall z r2 C p, on_sphere z r2 C -> In p C -> dist2 z p = r2.
+Proof. intros z r2 C p S H. apply Rminus_diag_uniq, S, H. Qed.
 
 (* The sign of v tells where x is: outside of the sphere around z through p, on it, or inside. *)
 Definition tells v z p x :=

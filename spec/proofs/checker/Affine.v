@@ -1,7 +1,7 @@
 (* Affine functions on space, sums over the points of a list, and small steps.
    What holds of an affine function at some points holds at their convex combinations. *)
 From Coq Require Import Reals Lra Lia List Psatz.
-From Flowcert Require Import algebra.Vector3 spec.Hull.
+From Flowcert Require Import algebra.Vector3 spec.Hull spec.HalfSpace algebra.Sphere.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -45,8 +45,6 @@ Proof. intros. unfold mix. apply vec_eq; vdestruct; vunfold; ring. Qed.
 
 (* ---- Powers: two of them differ by an affine function ---- *)
 
-Definition power (z : vec) (r2 : R) (x : vec) : R := dist2 x z - r2.
-
 Lemma power_difference : forall z r2 y s2, affine (fun x => power z r2 x - power y s2 x).
 Proof.
   intros z r2 y s2. exists (vscale 2 (vsub y z)), (dot z z - dot y y - r2 + s2).
@@ -87,30 +85,8 @@ Proof.
 Qed.
 Lemma hull_mix : forall C a y x, 0 <= a <= 1 -> in_conv C y -> in_conv C x -> in_conv C (mix a y x).
 Proof.
-  intros C a y x Ha [u [Lu [Nu [Su Eu]]]] [w [Lw [Nw [Sw Ew]]]].
-  exists (ladd (lscale (1 - a) u) (lscale a w)). repeat split.
-  - apply ladd_length; rewrite lscale_length; auto.
-  - assert (L : length u = length w) by congruence. clear - Nu Nw Ha L. revert w Nw L.
-    induction Nu; intros [|b w] Nw L; try discriminate; simpl; constructor; inversion Nw; subst; auto.
-    generalize (Rmult_le_pos (1 - a) x), (Rmult_le_pos a b). lra.
-  - rewrite sum_ladd, !sum_lscale by (rewrite !lscale_length; congruence). rewrite Su, Sw. ring.
-  - rewrite comb_ladd, !comb_lscale, Eu, Ew by (rewrite ?lscale_length; auto). reflexivity.
-Qed.
-Lemma hull_point : forall C p, In p C -> in_conv C p.
-Proof.
-  intros C p H. assert (G : exists w, length w = length C /\ Forall (fun a => 0 <= a) w /\ sum w = 1 /\ comb w C = p).
-  { induction C as [|q C IH]; [destruct H|]. destruct H as [->|H].
-    - exists (1 :: repeat 0 (length C)). repeat split.
-      + simpl. rewrite repeat_length. auto.
-      + constructor; [lra | apply Forall_repeat; lra].
-      + simpl. rewrite sum_repeat. ring.
-      + simpl. assert (Z : comb (repeat 0 (length C)) C = vzero).
-        { clear. induction C as [|q C IH]; simpl; auto. rewrite IH. apply vec_eq; vunfold; ring. }
-        rewrite Z. apply vec_eq; vdestruct; vunfold; ring.
-    - destruct (IH H) as [w [L [N [S E]]]]. exists (0 :: w). split; [simpl; auto|].
-      split; [constructor; auto; lra|]. split; [simpl; lra|].
-      simpl. rewrite E. apply vec_eq; vdestruct; vunfold; ring. }
-  exact G.
+  intros C a y x Ha Hy Hx. replace (mix a y x) with (vadd y (vscale a (vsub x y))); [apply conv_between; auto|].
+  unfold mix. apply vec_eq; simpl; ring.
 Qed.
 
 (* ---- Sums over the points of a list ---- *)
@@ -276,27 +252,3 @@ Qed.
 Lemma comb_total : forall (w : vec -> R) s,
   comb (map w s) s = V (total s (fun v => w v * vx v)) (total s (fun v => w v * vy v)) (total s (fun v => w v * vz v)).
 Proof. intros w s. unfold total. induction s as [|v s IH]; simpl; auto. rewrite IH. reflexivity. Qed.
-
-Lemma conv_incl : forall s C x, incl s C -> in_conv s x -> in_conv C x.
-Proof.
-  intros s C x I [w [L [N [S E]]]].
-  assert (G : forall w s, length w = length s -> Forall (fun a => 0 <= a) w -> incl s C ->
-    exists u, length u = length C /\ Forall (fun a => 0 <= a) u /\ sum u = sum w /\ comb u C = comb w s).
-  { clear. induction w as [|a w IH]; intros [|p s] L N I; try discriminate.
-    - exists (repeat 0 (length C)). repeat split.
-      + apply repeat_length.
-      + apply Forall_repeat. lra.
-      + rewrite sum_repeat. simpl. ring.
-      + simpl. clear. induction C as [|q C IH]; simpl; auto. rewrite IH. apply vec_eq; vunfold; ring.
-    - inversion N as [|? ? Na Nw]; subst.
-      destruct (IH s) as [u [Lu [Nu [Su Eu]]]]; auto; [intros q Hq; apply I; right; auto|].
-      destruct (hull_point C p (I p (or_introl eq_refl))) as [k [Lk [Nk [Sk Ek]]]].
-      exists (ladd (lscale a k) u). repeat split.
-      + apply ladd_length; rewrite ?lscale_length; auto.
-      + assert (Lku : length k = length u) by congruence. clear - Nk Nu Na Lku. revert u Nu Lku.
-        induction Nk; intros [|c u] Nu Lku; try discriminate; simpl; constructor; inversion Nu; subst; auto.
-        generalize (Rmult_le_pos a x). lra.
-      + rewrite sum_ladd, sum_lscale, Sk, Su by (rewrite lscale_length; congruence). simpl. ring.
-      + rewrite comb_ladd, comb_lscale, Ek, Eu by (rewrite ?lscale_length; auto). reflexivity. }
-  destruct (G w s L N I) as [u [Lu [Nu [Su Eu]]]]. exists u. repeat split; auto; congruence.
-Qed.

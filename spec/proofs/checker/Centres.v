@@ -1,7 +1,7 @@
 (* The centre that the checker computes is that of the smallest sphere through a simplex, and its test of a point and
    its weights are those of real numbers. *)
 From Coq Require Import Reals ZArith Lra Lia List.
-From Flowcert Require Import algebra.Vector3 spec.Hull judge.Judge judge.Dimension.
+From Flowcert Require Import algebra.Vector3 spec.Hull spec.HalfSpace algebra.Sphere judge.Judge judge.Dimension.
 From Flowcert Require Import checker.Simplices checker.Affine.
 Import ListNotations.
 Open Scope R_scope.

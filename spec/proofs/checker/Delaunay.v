@@ -2,11 +2,10 @@
    a point is the one to which this point has the least power; no sample is inside the sphere of a cell; and cells meet
    face to face. *)
 From Coq Require Import Reals Lra Lia List Psatz Classical.
-From Flowcert Require Import algebra.Vector3 spec.Hull checker.Affine checker.Tiling.
+From Flowcert Require Import algebra.Vector3 spec.Hull algebra.Sphere checker.Affine checker.Tiling.
 Import ListNotations.
 Open Scope R_scope.
 
-Definition on_sphere z r2 (u : list vec) := forall v, In v u -> power z r2 v = 0.
 (* T3 and T8. *)
 Record local_delaunay (P : list vec) (cells : list (list vec)) : Prop := {
   has_sphere : forall u, In u cells -> exists z r2, on_sphere z r2 u;
@@ -87,13 +86,13 @@ Proof.
   generalize (empty_spheres t z r2 p Ht Hp S). intro E.
   assert (Ex : power z r2 p - power p 0 p = total t (fun v => b t v p * (power z r2 v - power p 0 v)))
     by (apply (expand proper t (fun x => power z r2 x - power p 0 x)); auto using power_difference).
-  assert (Zero : forall v, In v t -> b t v p * dist2 v p = 0).
+  assert (Zero : forall v, In v t -> b t v p * dist2 p v = 0).
   { apply total_nonneg_zero.
     - intros v Hv. apply Rmult_le_pos; auto. apply dot_self_nonneg.
     - assert (Eq : total t (fun v => b t v p * (power z r2 v - power p 0 v)) = - 1 * total t (fun v =>
-        b t v p * dist2 v p)).
+        b t v p * dist2 p v)).
       { rewrite <- total_scale. apply total_ext. intros v Hv. rewrite (S v) by auto. unfold power. ring. }
-      assert (0 <= total t (fun v => b t v p * dist2 v p)).
+      assert (0 <= total t (fun v => b t v p * dist2 p v)).
       { apply total_nonneg. intros v Hv. apply Rmult_le_pos; auto. apply dot_self_nonneg. }
       rewrite Eq in Ex. unfold power at 2 in Ex. rewrite dist2_refl in Ex. lra. }
   apply NNPP. intro N.

@@ -1,6 +1,7 @@
 (* The simplices that the checker lists are those of FC-CERT-03, each once, and its contact sets are right. *)
 From Coq Require Import Reals ZArith Lra Lia List Bool Permutation Sorting.
-From Flowcert Require Import algebra.Vector3 spec.Hull spec.CriticalPoint judge.Judge judge.Dimension.
+From Flowcert Require Import algebra.Vector3 spec.Hull spec.HalfSpace algebra.Sphere spec.CriticalPoint
+  judge.Judge judge.Dimension.
 From Flowcert Require Import checker.Simplices checker.Certificate checker.Conditions checker.Faces.
 From Flowcert Require Import checker.StationaryList checker.Affine checker.Volumes checker.Tiling checker.Delaunay.
 From Flowcert Require Import checker.StationarySimplices checker.Centres checker.Sound.
@@ -288,7 +289,7 @@ Proof.
       rewrite (H p) by (left; auto). lra. }
     apply G. intros p Hp. unfold h. rewrite O, O' by auto. ring. }
   assert (H1 := Zero w L S). assert (H2 := Zero w' L' S'). rewrite E in H1. rewrite E' in H2.
-  unfold h, power in H1, H2. rewrite dist2_refl in H1, H2. rewrite (dist2_sym z' z) in H2.
+  unfold h, power in H1, H2. rewrite dist2_refl in H1, H2. rewrite (dist2_sym z' z) in H1.
   assert (D : dist2 z z' = 0) by lra. apply dist2_zero in D. split; auto. intros _. subst z'. rewrite D,
     dist2_refl in H1. lra.
 Qed.
@@ -401,10 +402,8 @@ Proof.
     apply (in_map (fun i => emb (place rows i))). apply (acc_names _ _ _ acc c); auto. apply I. left. auto. }
   unfold contact_samples, is_on_sphere. rewrite filter_In, Z.eqb_eq. rewrite (proj2 (outside_sign c s p F)).
   fold z r2. split.
-  - intros [Hp Z]. split; auto. intros q Hq. generalize (Empty q Hq). unfold power in *.
-    rewrite (dist2_sym z (emb _)), (dist2_sym z q). lra.
+  - intros [Hp Z]. split; auto. intros q Hq. generalize (Empty q Hq). unfold power in *. lra.
   - intros [Hp Near]. split; auto. destruct Some_ as [v [Hv Zv]]. generalize (Near v Hv).
-    generalize (Empty _ (in_map (fun i => emb (place rows i)) _ _ Hp)). unfold power in *.
-    rewrite (dist2_sym z (emb _)), (dist2_sym z v). lra.
+    generalize (Empty _ (in_map (fun i => emb (place rows i)) _ _ Hp)). unfold power in *. lra.
 Qed.
 End ListSound.

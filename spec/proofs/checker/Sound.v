@@ -1,7 +1,7 @@
 (* What the conditions T0 to T3 and T8, as the checker computes them, say of points of real numbers: the cells have
    barycentric coordinates, paired facets have their cells on either side, and neighbours are locally Delaunay. *)
 From Coq Require Import Reals ZArith Lra Lia List Bool Permutation.
-From Flowcert Require Import algebra.Vector3 spec.Hull judge.Judge judge.Dimension.
+From Flowcert Require Import algebra.Vector3 spec.Hull spec.HalfSpace algebra.Sphere judge.Judge judge.Dimension.
 From Flowcert Require Import checker.Simplices checker.Certificate checker.Conditions checker.Faces.
 From Flowcert Require Import checker.Affine checker.Volumes checker.Tiling checker.Delaunay checker.Centres.
 Import ListNotations.
@@ -219,7 +219,7 @@ Qed.
 Theorem accepted_proper : proper_cells (in_conv P) affine P real_cells b.
 Proof.
   destruct accepted_proper_level as [A1 A2 A3 A4 A5 A6 A7 A8 A9 A10 A11].
-  split; auto using hull_mix, hull_point.
+  split; auto using hull_mix, point_in_conv.
   intros u h x Hu Ah Hx. apply (hull_equal h (fun x => total u (fun v => b u v x * h v)%R) P); auto.
   apply affine_total. intros. apply A1. auto.
 Qed.
@@ -458,7 +458,7 @@ Proof.
     + assert (N : IZR (scale_of (places rows c)) <> 0%R) by (intro F; apply eq_IZR in F; auto).
       assert (0 < IZR (scale_of (places rows c)) * IZR (scale_of (places rows c)))%R by nra.
       apply Rmult_le_reg_l with (IZR (scale_of (places rows c)) * IZR (scale_of (places rows c)))%R; auto. lra.
-    + apply hull_point. apply (sample_cell_points c'); auto. apply (in_map (fun i => emb (place rows i))).
+    + apply point_in_conv. apply (sample_cell_points c'); auto. apply (in_map (fun i => emb (place rows i))).
       apply nth_In; auto.
     + intros v Hv. rewrite real_places in Hv. apply in_map_iff in Hv. destruct Hv as [p [<- Hp]].
       apply centre_on_sphere; auto. unfold places. rewrite map_length. apply cell_length; auto.

@@ -1,14 +1,10 @@
 (* FC-CERT-03: the stationary points that are no samples are, one to one, the simplices with the centre of their sphere
    inside and no link sample strictly inside that sphere. *)
 From Coq Require Import Reals ZArith Lra Lia List FinFun Psatz Classical.
-From Flowcert Require Import algebra.Vector3 spec.Hull spec.CriticalPoint.
+From Flowcert Require Import algebra.Vector3 spec.Hull spec.HalfSpace algebra.Sphere spec.Stationary.
 From Flowcert Require Import checker.Affine checker.Tiling checker.Delaunay.
 Import ListNotations.
 Open Scope R_scope.
-
-(* FC-CRIT-01, with the contact set K, or with some one. *)
-Definition stationary P x K := contact_set P x K /\ exists C, Forall2 (point_at P) K C /\ in_conv C x.
-Definition is_stationary P x := exists K, stationary P x K.
 
 (* A sample of a cell that has s as a face, but none of s. *)
 Definition link_sample (cells : list (list vec)) s p := exists t, In t cells /\ incl s t /\ In p t /\ ~ In p s.
@@ -16,64 +12,6 @@ Definition link_sample (cells : list (list vec)) s p := exists t, In t cells /\ 
 Definition centred_simplex (cells : list (list vec)) s z :=
   (exists t, In t cells /\ incl s t) /\ NoDup s /\ (2 <= length s)%nat /\ in_relint s z /\
   exists r2, on_sphere z r2 s /\ forall p, link_sample cells s p -> 0 <= power z r2 p.
-
-(* ---- Contact sets ---- *)
-
-Lemma contact_set_exists : forall P x, exists K, contact_set P x K.
-Proof.
-  intros P x.
-  set (near := fun i : nat => forall q, In q P -> dist2 x (nth i P vzero) <= dist2 x q).
-  assert (G : forall l, NoDup l -> exists K, NoDup K /\ forall i, In i K <-> In i l /\ near i).
-  { induction 1 as [|i l Hi N [K [NK HK]]].
-    - exists []. split; [constructor|]. simpl. tauto.
-    - destruct (classic (near i)) as [Y|Y].
-      + exists (i :: K). split; [constructor; auto; intro F; apply HK in F; tauto|].
-        intro j. simpl. rewrite HK. split; [intros [<-|]; tauto | tauto].
-      + exists K. split; auto. intro j. simpl. rewrite HK. split; [tauto|]. intros [[<-|] ?]; tauto. }
-  destruct (G (seq 0 (length P)) (seq_NoDup _ _)) as [K [NK HK]].
-  exists (map Z.of_nat K). split.
-  - apply Injective_map_NoDup; auto. intros i j. apply Nat2Z.inj.
-  - intro i. rewrite in_map_iff. split.
-    + intros [j [<- Hj]]. apply HK in Hj. destruct Hj as [Hj Near]. apply in_seq in Hj.
-      exists (nth j P vzero). split; auto. split; [lia|]. rewrite Nat2Z.id. apply nth_error_nth'. lia.
-    + intros [p [[Hi E] Near]]. exists (Z.to_nat i). split; [lia|]. apply HK. split.
-      * apply in_seq. assert (Z.to_nat i < length P)%nat by (apply nth_error_Some; congruence). lia.
-      * unfold near. rewrite (nth_error_nth _ _ _ E). auto.
-Qed.
-Lemma contact_points : forall P x K, contact_set P x K -> exists C, Forall2 (point_at P) K C /\
-  forall p, In p P -> (forall q, In q P -> dist2 x p <= dist2 x q) -> In p C.
-Proof.
-  intros P x K [_ HK].
-  exists (map (fun i => nth (Z.to_nat i) P vzero) K).
-  assert (At : forall i, In i K -> point_at P i (nth (Z.to_nat i) P vzero)).
-  { intros i Hi. apply HK in Hi. destruct Hi as [p [[Hi E] _]]. rewrite (nth_error_nth _ _ _ E). split; auto. }
-  split.
-  - clear HK. induction K as [|i K IH]; simpl; constructor; auto. apply At. left. auto.
-    apply IH. intros j Hj. apply At. right. auto.
-  - intros p Hp Near. apply In_nth_error in Hp. destruct Hp as [j Hj].
-    assert (In (Z.of_nat j) K).
-    { apply HK. exists p. split; auto. split; [lia|]. rewrite Nat2Z.id. auto. }
-    apply in_map_iff. exists (Z.of_nat j). split; auto. rewrite Nat2Z.id. apply nth_error_nth. auto.
-Qed.
-Lemma contacts_of : forall P x K C, contact_set P x K -> Forall2 (point_at P) K C ->
-  forall p, In p C -> In p P /\ forall q, In q P -> dist2 x p <= dist2 x q.
-Proof.
-  intros P x K C [_ HK] F p Hp.
-  assert (exists i, In i K /\ point_at P i p) as [i [Hi [Bi Ei]]].
-  { clear HK. induction F as [|i q K C H F IH]; [destruct Hp|]. destruct Hp as [->|Hp].
-    - exists i. split; [left; auto | auto].
-    - destruct (IH Hp) as [j [Hj Pj]]. exists j. split; [right; auto | auto]. }
-  apply HK in Hi. destruct Hi as [p' [[_ E'] Near]]. rewrite Ei in E'. injection E'; intro; subst p'.
-  split; auto. eapply nth_error_In; eauto.
-Qed.
-Lemma stationary_iff_nearest : forall P x, is_stationary P x <->
-  exists C, (forall p, In p C -> In p P /\ forall q, In q P -> dist2 x p <= dist2 x q) /\ in_conv C x.
-Proof.
-  intros P x. split.
-  - intros [K [HK [C [F Hx]]]]. exists C. split; auto. eapply contacts_of; eauto.
-  - intros [C [HC Hx]]. destruct (contact_set_exists P x) as [K HK]. destruct (contact_points P x K HK) as [D [F I]].
-    exists K. split; auto. exists D. split; auto. apply (conv_incl C); auto. intros p Hp. apply I; apply HC; auto.
-Qed.
 
 Section Stationary.
 Variable P : list vec.
@@ -123,7 +61,7 @@ Proof.
   destruct (soon_some _ (soon_near z p z e ltac:(rewrite dist2_refl; auto))) as [t' [Bt D]].
   set (z1 := mix t' z p) in *.
   assert (It0 : in_cell (in_conv P) b t0 z) by (apply relint_in_cell with s; auto).
-  assert (P1 : in_conv P z1) by (apply hull_mix; [lra | apply It0 | apply hull_point; auto]).
+  assert (P1 : in_conv P z1) by (apply hull_mix; [lra | apply It0 | apply point_in_conv; auto]).
   destruct (cells_cover proper glued z1 P1) as [t [Ht I1]].
   assert (It : in_cell (in_conv P) b t z).
   { split; [apply It0|]. intros v Hv. apply Rnot_lt_le. intro L. generalize (Far t v z1 Ht Hv L D).
@@ -159,10 +97,11 @@ Proof.
   assert (IP : incl s P) by (intros v Hv; apply (cell_points proper t); auto).
   split.
   - apply stationary_iff_nearest. exists s. split; [|apply Hz]. intros p Hp. split; auto. intros q Hq.
-    generalize (S p Hp), (Empty q Hq). unfold power. rewrite (dist2_sym z p), (dist2_sym z q). lra.
+    generalize (S p Hp), (Empty q Hq). unfold power. lra.
   - intro Hp. generalize (Empty z Hp). unfold power. rewrite dist2_refl. intro R.
     assert (All : forall v, In v s -> v = z).
-    { intros v Hv. apply dist2_zero. generalize (S v Hv), (dot_self_nonneg (vsub v z)). unfold power, dist2 in *. lra. }
+    { intros v Hv. symmetry. apply dist2_zero. generalize (S v Hv), (dot_self_nonneg (vsub z v)).
+      unfold power, dist2 in *. lra. }
     destruct s as [|v [|w s]]; simpl in L; try lia. inversion N as [|? ? F _]. apply F.
     rewrite (All v (or_introl eq_refl)), <- (All w (or_intror (or_introl eq_refl))). left. auto.
 Qed.
@@ -175,13 +114,13 @@ Proof.
   destruct (has_sphere _ _ local t Ht) as [zt [rt St]].
   destruct C as [|p0 C'] eqn:EC.
   { destruct Hz as [w [L [_ [S _]]]]. destruct w; simpl in *; [lra | discriminate]. }
-  rewrite <- EC in *. set (r2 := dist2 p0 z).
+  rewrite <- EC in *. set (r2 := dist2 z p0).
   assert (I0 : In p0 C) by (rewrite EC; left; auto).
   assert (Empty : forall p, In p P -> 0 <= power z r2 p).
-  { intros p Hp. unfold power, r2. generalize (proj2 (HC p0 I0) p Hp). rewrite (dist2_sym z p0), (dist2_sym z p). lra. }
+  { intros p Hp. unfold power, r2. generalize (proj2 (HC p0 I0) p Hp). lra. }
   assert (On : forall p, In p C -> power z r2 p = 0).
   { intros p Hp. generalize (Empty p (proj1 (HC p Hp))), (proj2 (HC p Hp) p0 (proj1 (HC p0 I0))).
-    unfold power, r2. rewrite (dist2_sym z p0), (dist2_sym z p). lra. }
+    unfold power, r2. lra. }
   set (h := fun x => power z r2 x - power zt rt x).
   assert (Ah : affine h) by apply power_difference.
   assert (Hle : h z <= 0).

@@ -2,7 +2,8 @@
    the cells of a certificate that the checker accepts are glued well (step 4 of the proof of FC-CERT-02).
    The proof walks from cell to cell out of the hull: the facet through which it gets out tells where that is. *)
 From Coq Require Import Reals ZArith Lra Lia List Bool Permutation Classical.
-From Flowcert Require Import algebra.Vector3 spec.Hull judge.Judge judge.Dimension.
+From Flowcert Require Import algebra.Vector3 spec.Hull spec.HalfSpace algebra.Sphere
+  judge.Judge judge.Dimension.
 From Flowcert Require Import checker.Simplices checker.Certificate checker.Conditions checker.Faces.
 From Flowcert Require Import checker.Affine checker.Volumes checker.Tiling checker.Sound checker.Checked
   checker.HullFan.
@@ -306,7 +307,7 @@ Proof.
   assert (MJ : movable (lin := affine) (P := P) J).
   { exists (real rows c). split; [|intros h Hh; apply (nonzero_at_vertex PL); auto].
     intros y v t Ht [Cy Iy] Hv. split.
-    - apply hull_mix; auto. apply hull_point. apply (cell_points PL (real rows c)); auto.
+    - apply hull_mix; auto. apply point_in_conv. apply (cell_points PL (real rows c)); auto.
     - apply (in_cell_mix PL); auto. apply (vertex_in_cell PL); auto. }
   destruct (generic_near PL in_level J z0 m0 e) as [z [y [Lz' [[Cy Iy] [Dz' [Dy G]]]]]]; auto.
   { eapply movable_space; eauto. }

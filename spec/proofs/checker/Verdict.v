@@ -1,7 +1,8 @@
 (* What a certificate proves that the checker accepts: a Delaunay triangulation (FC-CERT-02), and all stationary points,
    each once, with their contact sets (FC-CERT-03 and 05). *)
 From Coq Require Import Reals ZArith Lra Lia List Bool.
-From Flowcert Require Import algebra.Vector3 spec.Hull spec.CriticalPoint judge.Judge judge.Dimension.
+From Flowcert Require Import algebra.Vector3 spec.Hull spec.HalfSpace algebra.Sphere spec.CriticalPoint spec.Stationary
+  spec.Delaunay judge.Judge judge.Dimension.
 From Flowcert Require Import checker.Simplices checker.Certificate checker.Conditions checker.Faces.
 From Flowcert Require Import checker.StationaryList checker.Affine checker.Volumes checker.Tiling checker.Delaunay.
 From Flowcert Require Import checker.StationarySimplices checker.Centres checker.Sound checker.ListSound
@@ -9,20 +10,6 @@ From Flowcert Require Import checker.StationarySimplices checker.Centres checker
 From Flowcert Require Import checker.HullFan checker.HullSound checker.TilingSound.
 Import ListNotations.
 Open Scope R_scope.
-
-(* Cells are lists of their samples. *)
-Record delaunay_triangulation (P : list vec) (cells : list (list vec)) : Prop := {
-  vertices_are_samples : forall p, In p P <-> exists c, In c cells /\ In p c;
-  cells_are_simplices : forall c w w', In c cells -> length w = length c -> length w' = length c ->
-    sum w = 1 -> sum w' = 1 -> comb w c = comb w' c -> w = w';
-  cells_are_maximal : forall c c', In c cells -> In c' cells -> incl c c' -> c = c';
-  each_cell_once : NoDup cells;
-  cells_fill_the_hull : forall x, in_conv P x <-> exists c, In c cells /\ in_conv c x;
-  cells_meet_in_faces : forall c c' x, In c cells -> In c' cells -> in_conv c x -> in_conv c' x ->
-    exists s, incl s c /\ incl s c' /\ in_conv s x;
-  spheres_exist : forall c, In c cells -> exists z r2, forall v, In v c -> dist2 v z = r2;
-  spheres_are_empty : forall c z r2 p, In c cells -> (forall v, In v c -> dist2 v z = r2) -> In p P ->
-    r2 <= dist2 p z }.
 
 Section Real.
 Variable P : list vec.
@@ -125,7 +112,7 @@ Lemma sample_is_stationary : forall P p, In p P -> is_stationary P p.
 Proof.
   intros P p Hp. apply stationary_iff_nearest. exists [p]. split.
   - intros q [<-|[]]. split; auto. intros r _. rewrite dist2_refl. apply dot_self_nonneg.
-  - apply hull_point. left. auto.
+  - apply point_in_conv. left. auto.
 Qed.
 Lemma sample_centre : forall rows p, centre_of (places rows [p]) = emb (place rows p).
 Proof.

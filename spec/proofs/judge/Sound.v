@@ -1,7 +1,7 @@
 (* What the judge takes as proved is right, as the specification defines it: judge_sound. Before it come distances, and
    numbers that are claimed as ratios. *)
 From Coq Require Import Reals ZArith Lra Lia List Bool Sorted.
-From Flowcert Require Import algebra.Vector3 spec.Hull spec.StationaryPoint.
+From Flowcert Require Import algebra.Vector3 spec.Hull spec.CriticalPoint spec.StationaryPoint.
 From Flowcert Require Import judge.Judge judge.Dimension judge.Rows judge.Faces.
 Import ListNotations.
 Open Scope R_scope.

@@ -5,6 +5,7 @@ Import ListNotations.
 Open Scope R_scope.
 
 Definition point_at (P : list vec) (i : Z) (p : vec) := (0 <= i)%Z /\ nth_error P (Z.to_nat i) = Some p.
+Definition nearest P x p := In p P /\ forall q, In q P -> dist2 x p <= dist2 x q.
 Definition is_contact P x i := exists p, point_at P i p /\ forall q, In q P -> dist2 x p <= dist2 x q.
 Definition contact_set P x K := NoDup K /\ forall i, In i K <-> is_contact P x i.
 

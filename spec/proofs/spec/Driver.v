@@ -14,19 +14,6 @@ Definition driver P x c := exists C, contacts P x C /\ nearest_in_hull C x c.
 
 (* ---- What tells the nearest point ---- *)
 
-Lemma conv_between : forall C c y a, in_conv C c -> in_conv C y -> 0 <= a <= 1 ->
-  in_conv C (vadd c (vscale a (vsub y c))).
-Proof.
-  intros C c y a [w [L [N [S E]]]] [v [L' [N' [S' E']]]] A.
-  exists (ladd (lscale (1 - a) w) (lscale a v)). repeat split.
-  - apply ladd_length; rewrite lscale_length; auto.
-  - apply nonneg_ladd; [rewrite !lscale_length; congruence | |]; apply nonneg_lscale; auto; lra.
-  - rewrite sum_ladd, !sum_lscale, S, S' by (rewrite !lscale_length; congruence). ring.
-  - rewrite comb_ladd, !comb_lscale, E, E' by (rewrite ?lscale_length; auto). apply vec_eq; simpl; ring.
-Qed.
-Lemma point_in_conv : forall C p, In p C -> in_conv C p.
-Proof. intros C p H. destruct (unit_weights C p H) as [e He]. exists e. tauto. Qed.
-
 Theorem nearest_iff_angles : forall C x c, in_conv C c ->
   (nearest_in_hull C x c <-> forall p, In p C -> dot (vsub x c) (vsub p c) <= 0).
 Proof.

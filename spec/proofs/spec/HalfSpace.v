@@ -82,6 +82,18 @@ Proof.
   intros C D x H [w [L [N [S E]]]]. destruct (weights_over C D H w L) as [v [Lv [Sv [Ev Nv]]]].
   exists v. rewrite Sv, Ev. auto.
 Qed.
+Lemma conv_between : forall C c y a, in_conv C c -> in_conv C y -> 0 <= a <= 1 ->
+  in_conv C (vadd c (vscale a (vsub y c))).
+Proof.
+  intros C c y a [w [L [N [S E]]]] [v [L' [N' [S' E']]]] A.
+  exists (ladd (lscale (1 - a) w) (lscale a v)). repeat split.
+  - apply ladd_length; rewrite lscale_length; auto.
+  - apply nonneg_ladd; [rewrite !lscale_length; congruence | |]; apply nonneg_lscale; auto; lra.
+  - rewrite sum_ladd, !sum_lscale, S, S' by (rewrite !lscale_length; congruence). ring.
+  - rewrite comb_ladd, !comb_lscale, E, E' by (rewrite ?lscale_length; auto). apply vec_eq; simpl; ring.
+Qed.
+Lemma point_in_conv : forall C p, In p C -> in_conv C p.
+Proof. intros C p H. destruct (unit_weights C p H) as [e He]. exists e. tauto. Qed.
 Lemma aff_incl : forall C D x, incl C D -> in_aff C x -> in_aff D x.
 Proof.
   intros C D x H [w [L [S E]]]. destruct (weights_over C D H w L) as [v [Lv [Sv [Ev _]]]].

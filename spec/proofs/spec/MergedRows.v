@@ -1,6 +1,6 @@
 (* FC-IN-03: rows have a merged set, and what a record says of rows is what CriticalPoint.v says of the merged set. *)
 From Coq Require Import Reals ZArith Lia List Sorted.
-From Flowcert Require Import algebra.Vector3 spec.Hull spec.CriticalPoint spec.StationaryPoint.
+From Flowcert Require Import algebra.Vector3 spec.Hull spec.CriticalPoint spec.Stationary spec.StationaryPoint.
 Import ListNotations.
 
 (* N is the names of the classes, ascending, and Q the points of the classes in this order. *)
@@ -9,9 +9,6 @@ Definition merged P N Q :=
 Definition place_in (N : list Z) l k := (0 <= l)%Z /\ nth_error N (Z.to_nat l) = Some k.
 
 (* ---- Names ---- *)
-
-Lemma point_at_in : forall P i p, point_at P i p -> In p P.
-Proof. intros P i p [_ H]. eapply nth_error_In; eauto. Qed.
 
 Lemma class_name_exists : forall P p, In p P -> exists i, class_name P i p.
 Proof.

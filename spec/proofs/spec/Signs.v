@@ -2,7 +2,7 @@
    It asks all samples, or, for an edge of a Delaunay triangulation, the samples of the cells at the edge. *)
 From Coq Require Import Reals ZArith Lra Lia List.
 From Flowcert Require Import algebra.Vector3 spec.Hull spec.HalfSpace spec.CriticalPoint spec.Dimension spec.Face
-  spec.Stationary spec.Driver algebra.Sphere algebra.LocalDelaunay.
+  spec.Stationary spec.Driver spec.Subsets spec.Delaunay algebra.Sphere algebra.LocalDelaunay.
 From Flowcert Require algebra.Cascade.
 Import ListNotations.
 Open Scope R_scope.
@@ -67,18 +67,36 @@ Qed.
 
 (* ---- Delaunay triangulations ---- *)
 
-(* Each corner is off some plane that has all others. *)
-Definition simplex C := forall p, In p C -> exists u l, dot u p <> l /\ forall q, In q C -> q <> p -> dot u q = l.
+Definition at_edge p0 p1 (t : list vec) := In p0 t /\ In p1 t.
 
-(* The cells are simplices of samples, cover the hull of the samples, and meet in common faces; no sample is strictly
-   inside the sphere of a cell. *)
-Definition delaunay P (T : list cell) :=
-  (forall t, In t T -> incl (samples t) P /\ simplex (samples t)) /\
-  (forall x, in_conv P x -> exists t, In t T /\ in_conv (samples t) x) /\
-  (forall s t x, In s T -> In t T -> in_conv (samples s) x -> in_conv (samples t) x ->
-    exists F, incl F (samples s) /\ incl F (samples t) /\ in_conv F x) /\
-  (forall t, In t T -> has_sphere t /\ forall q, In q P -> radius2 t <= dist2 (centre t) q).
-Definition at_edge p0 p1 t := In p0 (samples t) /\ In p1 (samples t).
+(* A corner of a cell is off some plane that has all others. *)
+Lemma off_plane : forall P T t p, delaunay_triangulation P T -> In t T -> In p t ->
+  exists u l, dot u p <> l /\ forall q, In q t -> q <> p -> dot u q = l.
+Proof.
+  intros P T t p D Ht Hp. assert (U := fun w w' => cells_are_simplices P T D t w w' Ht). clear Ht.
+  apply in_split in Hp. destruct Hp as [C1 [C2 ->]].
+  destruct (in_aff_or_apart (C1 ++ C2) p) as [[w [L [S E]]]|[u [l [A N]]]].
+  - exfalso. assert (Split : exists w1 w2, w = w1 ++ w2 /\ length w1 = length C1 /\ length w2 = length C2).
+    { rewrite app_length in L. exists (firstn (length C1) w), (skipn (length C1) w).
+      rewrite firstn_skipn, firstn_length, skipn_length. repeat split; lia. }
+    destruct Split as [w1 [w2 [-> [L1 L2]]]].
+    assert (App : forall a b : list R, sum (a ++ b) = sum a + sum b).
+    { clear. induction a as [|x a IH]; intros b; simpl; [ring|]. rewrite IH. ring. }
+    assert (Zero : forall C, comb (repeat 0 (length C)) C = vzero).
+    { clear. induction C as [|q C IH]; simpl; auto. rewrite IH. apply vec_eq; simpl; ring. }
+    assert (F : w1 ++ 0 :: w2 = repeat 0 (length C1) ++ 1 :: repeat 0 (length C2)).
+    { rewrite App in S. rewrite comb_app in E by auto. apply U.
+      - rewrite !app_length. simpl. lia.
+      - rewrite !app_length. simpl. rewrite !repeat_length. lia.
+      - rewrite App. simpl. lra.
+      - rewrite App. simpl. rewrite !sum_repeat. lra.
+      - rewrite !comb_app by (rewrite ?repeat_length; auto). simpl. rewrite !Zero, <- E. apply vec_eq; simpl; ring. }
+    apply (f_equal (fun l => nth (length C1) l 0)) in F.
+    rewrite !app_nth2 in F by (rewrite ?repeat_length; lia). rewrite repeat_length, L1, Nat.sub_diag in F. simpl in F.
+    lra.
+  - exists u, l. split; auto. intros q Hq Nq. apply A, in_or_app. apply in_app_or in Hq.
+    destruct Hq as [Hq|[Hq|Hq]]; auto. congruence.
+Qed.
 
 (* A hull that does not contain m has no points close to it on the way to q. *)
 Lemma hull_is_closed : forall C m q, in_conv C m \/
@@ -104,14 +122,14 @@ Proof.
   assert (a * (b + 1) <= dist2 m c / 2) by (rewrite <- F; apply Rmult_le_compat_r; lra).
   assert (a * - b <= a * dot (vsub m c) (vsub q m)) by (apply Rmult_le_compat_l; lra). lra.
 Qed.
-Lemma hulls_are_closed : forall (T : list cell) m q, exists e, 0 < e <= 1 /\
-  forall t, In t T -> in_conv (samples t) (vadd m (vscale e (vsub q m))) -> in_conv (samples t) m.
+Lemma hulls_are_closed : forall (T : list (list vec)) m q, exists e, 0 < e <= 1 /\
+  forall t, In t T -> in_conv t (vadd m (vscale e (vsub q m))) -> in_conv t m.
 Proof.
   intros T m q.
   assert (G : exists e, 0 < e <= 1 /\ forall t a, In t T -> 0 < a <= e ->
-    in_conv (samples t) (vadd m (vscale a (vsub q m))) -> in_conv (samples t) m).
+    in_conv t (vadd m (vscale a (vsub q m))) -> in_conv t m).
   { induction T as [|t T [e [He IH]]]; [exists 1; split; [lra | intros t a []]|].
-    destruct (hull_is_closed (samples t) m q) as [M|[d [Hd N]]].
+    destruct (hull_is_closed t m q) as [M|[d [Hd N]]].
     - exists e. split; auto. intros s a [<-|Hs] Ha H; eauto.
     - exists (Rmin d e). split; [split; [apply Rmin_pos; lra | generalize (Rmin_r d e); lra]|].
       intros s a [<-|Hs] Ha H; [exfalso; apply (N a); auto; generalize (Rmin_l d e); lra|].
@@ -119,11 +137,11 @@ Proof.
   destruct G as [e [He G]]. exists e. split; auto. intros t Ht. apply G; auto. lra.
 Qed.
 
-(* A hull of corners of a simplex that contains the midpoint of an edge has both ends among these. *)
-Lemma edge_of_simplex : forall C F p0 p1, simplex C -> In p0 C -> In p1 C -> p0 <> p1 -> incl F C ->
-  in_conv F (midpoint p0 p1) -> In p0 F.
+(* A hull of corners of a cell that contains the midpoint of an edge has both ends among these. *)
+Lemma edge_of_cell : forall P T t F p0 p1, delaunay_triangulation P T -> In t T -> In p0 t -> In p1 t -> p0 <> p1 ->
+  incl F t -> in_conv F (midpoint p0 p1) -> In p0 F.
 Proof.
-  intros C F p0 p1 S H0 H1 N I M. destruct (S p0 H0) as [u [l [U L]]].
+  intros P T t F p0 p1 D Ht H0 H1 N I M. destruct (off_plane P T t p0 D Ht H0) as [u [l [U L]]].
   destruct (in_dec vec_dec p0 F) as [Y|Y]; auto.
   exfalso. apply U. assert (E : dot u (midpoint p0 p1) = l).
   { apply (aff_level u l F); [|apply conv_in_aff; auto]. intros q Hq. apply L; auto. intros ->. auto. }
@@ -131,21 +149,23 @@ Proof.
 Qed.
 
 (* Near the midpoint of an edge, every way into the hull of the samples begins in a cell at the edge. *)
-Lemma star_of_edge : forall P T t0 p0 p1 q, delaunay P T -> In t0 T -> at_edge p0 p1 t0 -> p0 <> p1 -> In q P ->
+Lemma star_of_edge : forall P T t0 p0 p1 q, delaunay_triangulation P T -> In t0 T -> at_edge p0 p1 t0 -> p0 <> p1 ->
+  In q P ->
   exists t e, In t T /\ at_edge p0 p1 t /\ 0 < e <= 1 /\
-    in_conv (samples t) (vadd (midpoint p0 p1) (vscale e (vsub q (midpoint p0 p1)))).
+    in_conv t (vadd (midpoint p0 p1) (vscale e (vsub q (midpoint p0 p1)))).
 Proof.
-  intros P T t0 p0 p1 q [S [Cover [Meet _]]] H0 [A0 A1] N Hq. set (m := midpoint p0 p1).
-  destruct (hulls_are_closed T m q) as [e [He G]]. destruct (S t0 H0) as [I0 S0].
-  assert (M0 : in_conv (samples t0) m).
+  intros P T t0 p0 p1 q D H0 [A0 A1] N Hq. set (m := midpoint p0 p1).
+  destruct (hulls_are_closed T m q) as [e [He G]].
+  assert (I0 : incl t0 P) by (intros v Hv; apply (vertices_are_samples P T D); exists t0; auto).
+  assert (M0 : in_conv t0 m).
   { apply (conv_incl [p0; p1]); [intros p [<-|[<-|[]]]; auto | apply midpoint_in_relint]. }
-  destruct (Cover (vadd m (vscale e (vsub q m)))) as [t [Ht Y]].
-  { apply conv_between; [apply (conv_incl (samples t0)); auto | apply point_in_conv; auto | lra]. }
+  destruct (proj1 (cells_fill_the_hull P T D (vadd m (vscale e (vsub q m))))) as [t [Ht Y]].
+  { apply conv_between; [apply (conv_incl t0); auto | apply point_in_conv; auto | lra]. }
   exists t, e. split; auto. split; [|auto].
-  destruct (Meet t0 t m H0 Ht M0 (G t Ht Y)) as [F [F0 [Ft MF]]].
+  destruct (cells_meet_in_faces P T D t0 t m H0 Ht M0 (G t Ht Y)) as [F [F0 [Ft MF]]].
   split; apply Ft.
-  - apply (edge_of_simplex (samples t0) F p0 p1); auto.
-  - apply (edge_of_simplex (samples t0) F p1 p0); auto. replace (midpoint p1 p0) with m; auto.
+  - apply (edge_of_cell P T t0 F p0 p1); auto.
+  - apply (edge_of_cell P T t0 F p1 p0); auto. replace (midpoint p1 p0) with m; auto.
     unfold m, midpoint. apply vec_eq; simpl; ring.
 Qed.
 
@@ -176,21 +196,20 @@ Qed.
 
 (* h less the power to the cell's sphere is an affine function. It is 0 at the midpoint, and not negative at the cell's
    samples. So it is not negative on the way from the midpoint into the cell, nor at q, where this way leads. *)
-Lemma cell_at_edge : forall t p0 p1 q e, has_sphere t -> radius2 t <= dist2 (centre t) q -> at_edge p0 p1 t ->
-  (forall v, In v (samples t) -> v <> p0 -> v <> p1 -> 0 < h p0 p1 v) -> 0 < e ->
-  in_conv (samples t) (vadd (midpoint p0 p1) (vscale e (vsub q (midpoint p0 p1)))) ->
+Lemma cell_at_edge : forall t z r2 p0 p1 q e, on_sphere z r2 t -> r2 <= dist2 z q -> at_edge p0 p1 t ->
+  (forall v, In v t -> v <> p0 -> v <> p1 -> 0 < h p0 p1 v) -> 0 < e ->
+  in_conv t (vadd (midpoint p0 p1) (vscale e (vsub q (midpoint p0 p1)))) ->
   q <> p0 -> q <> p1 -> 0 < h p0 p1 q.
 Proof.
-  intros t p0 p1 q e S Out [A0 A1] H He Y N0 N1. set (m := midpoint p0 p1) in *.
-  set (z := centre t) in *. set (r := dist2 m p0).
-  set (u := gradient z m). set (k := dot m m - dot z z - r + radius2 t).
+  intros t z r2 p0 p1 q e S Out [A0 A1] H He Y N0 N1. set (m := midpoint p0 p1) in *.
+  set (r := dist2 m p0). set (u := gradient z m). set (k := dot m m - dot z z - r + r2).
   (* u x - k is the power of x to the cell's sphere less h *)
-  assert (G : forall x, dot u x - k = power z (radius2 t) x - h p0 p1 x).
+  assert (G : forall x, dot u x - k = power z r2 x - h p0 p1 x).
   { intros x. unfold u, k. rewrite <- lift_difference, <- h_is_power. fold m. unfold lift, power, r. ring. }
-  assert (On : forall v, In v (samples t) -> dot u v - k = - h p0 p1 v).
-  { intros v Hv. rewrite G. unfold power. rewrite (S v Hv : dist2 z v = radius2 t). ring. }
+  assert (On : forall v, In v t -> dot u v - k = - h p0 p1 v).
+  { intros v Hv. rewrite G, (S v Hv). ring. }
   destruct (h_at_ends p0 p1) as [Z0 Z1].
-  assert (D : forall v, In v (samples t) -> dot u v <= k /\ (dot u v = k -> v = p0 \/ v = p1)).
+  assert (D : forall v, In v t -> dot u v <= k /\ (dot u v = k -> v = p0 \/ v = p1)).
   { intros v Hv. specialize (On v Hv). destruct (vec_dec v p0) as [->|V0]; [rewrite Z0 in On; split; auto; lra|].
     destruct (vec_dec v p1) as [->|V1]; [rewrite Z1 in On; split; auto; lra|].
     specialize (H v Hv V0 V1). split; intros; lra. }
@@ -202,14 +221,14 @@ Proof.
   assert (Ey : dot u y - k = e * (dot u q - k)).
   { transitivity (dot u m - k + e * (dot u q - dot u m)); [|rewrite M; ring]. unfold y. clear. generalize u m. intros.
     vdestruct; vunfold; ring. }
-  assert (Ly : dot u y <= k) by (apply (conv_below u k (samples t)); auto; intros v Hv; apply D; auto).
+  assert (Ly : dot u y <= k) by (apply (conv_below u k t); auto; intros v Hv; apply D; auto).
   assert (Lq : dot u q <= k) by (apply Rnot_lt_le; intro; nra).
   assert (Gq := G q). unfold power in Gq.
   destruct (Rlt_dec 0 (h p0 p1 q)) as [Pos|Neg]; auto. exfalso.
   assert (Eq : dot u q = k) by lra. assert (Hz : h p0 p1 q = 0) by lra.
   assert (Yk : dot u y = k) by (rewrite Eq in Ey; lra).
   assert (Line : in_conv [p0; p1] y).
-  { apply (conv_incl (filter (on_plane u (dot u y)) (samples t))).
+  { apply (conv_incl (filter (on_plane u (dot u y)) t)).
     - intros v Hv. apply on_plane_right in Hv. destruct Hv as [Hv Ev]. rewrite Yk in Ev.
       destruct (proj2 (D v Hv) Ev); simpl; auto.
     - apply conv_on_plane; auto. intros v Hv. rewrite Yk. apply D; auto. }
@@ -217,14 +236,17 @@ Proof.
 Qed.
 
 Theorem gabriel_at_edge : forall P T t0 i j p0 p1, NoDup P -> i <> j -> point_at P i p0 -> point_at P j p1 ->
-  delaunay P T -> In t0 T -> at_edge p0 p1 t0 ->
+  delaunay_triangulation P T -> In t0 T -> at_edge p0 p1 t0 ->
   (critical P (midpoint p0 p1) [i; j] 1 <->
-   forall t q, In t T -> at_edge p0 p1 t -> In q (samples t) -> q <> p0 -> q <> p1 -> 0 < h p0 p1 q).
+   forall t q, In t T -> at_edge p0 p1 t -> In q t -> q <> p0 -> q <> p1 -> 0 < h p0 p1 q).
 Proof.
   intros P T t0 i j p0 p1 D N E0 E1 DT H0 A. rewrite gabriel by auto. split.
-  - intros H t q Ht _ Hq. apply H. destruct DT as [S _]. destruct (S t Ht) as [I _]. auto.
+  - intros H t q Ht _ Hq. apply H. apply (vertices_are_samples P T DT). exists t. auto.
   - intros H q Hq N0 N1. assert (N01 : p0 <> p1) by (intros <-; apply N; eapply point_at_once; eauto).
     destruct (star_of_edge P T t0 p0 p1 q DT H0 A N01 Hq) as [t [e [Ht [At [He Y]]]]].
-    destruct DT as [_ [_ [_ Empty]]]. destruct (Empty t Ht) as [S Out].
-    apply (cell_at_edge t p0 p1 q e); auto; [|apply He]. intros v Hv. apply (H t); auto.
+    destruct (spheres_exist P T DT t Ht) as [z [r2 S]].
+    apply (cell_at_edge t z r2 p0 p1 q e); auto; [| | |apply He].
+    + intros v Hv. apply Rminus_diag_eq, S, Hv.
+    + apply (spheres_are_empty P T DT t); auto.
+    + intros v Hv. apply (H t); auto.
 Qed.

@@ -6,14 +6,13 @@ Import ListNotations.
 Open Scope R_scope.
 
 Definition stationary P x K := contact_set P x K /\ exists C, Forall2 (point_at P) K C /\ in_conv C x.
+Definition is_stationary P x := exists K, stationary P x K.
 Definition regular P x K := stationary P x K /\ forall k, ~ critical P x K k.
 Definition kind P x K i k :=
   stationary P x K /\
   exists C F, Forall2 (point_at P) K C /\ face C F /\ in_relint F x /\ affine_dimension F i /\ affine_dimension C k.
 
 (* ---- Contact sets, as ids and as points ---- *)
-
-Definition nearest P x p := In p P /\ forall q, In q P -> dist2 x p <= dist2 x q.
 
 Lemma points_unique : forall P K C D, Forall2 (point_at P) K C -> Forall2 (point_at P) K D -> C = D.
 Proof.
@@ -77,6 +76,16 @@ Proof.
   - intros [Hp N]. destruct (point_at_exists P p Hp) as [i Ei].
     assert (Hi : In i K) by (apply H; exists p; auto).
     destruct (point_of_id P K C i HC Hi) as [q [Hq Eq]]. rewrite (point_at_same P i p q); auto.
+Qed.
+(* So the ids are not needed: a stationary point is in the hull of samples that are nearest to it. *)
+Lemma stationary_iff_nearest : forall P x, is_stationary P x <->
+  exists C, (forall p, In p C -> nearest P x p) /\ in_conv C x.
+Proof.
+  intros P x. split.
+  - intros [K [HK [C [F Hx]]]]. exists C. split; auto. intros p. apply (contact_points P x K C HK F).
+  - intros [C [HC Hx]]. destruct (contact_set_exists P x) as [K HK]. destruct (contact_points_exist P x K HK) as [D F].
+    exists K. split; auto. exists D. split; auto. apply (conv_incl C); auto.
+    intros p Hp. apply (contact_points P x K D HK F); auto.
 Qed.
 (* All points of a contact set are at one distance. *)
 Lemma contact_distance : forall P x K C p q, contact_set P x K -> Forall2 (point_at P) K C -> In p C -> In q C ->

@@ -2,7 +2,7 @@
    A row holds three numbers mantissa * 2^exponent, and doubles are such numbers. Its id is its place, from 0.
    Rows may be equal: the least id of equal rows is the name of their class. *)
 From Coq Require Import Reals ZArith List Sorted.
-From Flowcert Require Import algebra.Vector3 spec.Hull spec.CriticalPoint.
+From Flowcert Require Import algebra.Vector3 spec.Hull spec.CriticalPoint spec.Face.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -13,7 +13,6 @@ Definition row_point r := V (value (row_x r)) (value (row_y r)) (value (row_z r)
 
 (* P is the points of the rows, in their order. *)
 Definition class_name P i p := point_at P i p /\ forall j, point_at P j p -> (i <= j)%Z.
-Definition nearest P x p := In p P /\ forall q, In q P -> dist2 x p <= dist2 x q.
 
 (* K is the names of C(x), ascending, and C the points that they name. *)
 Definition contact_names P x K C :=
@@ -21,16 +20,11 @@ Definition contact_names P x K C :=
   (forall i, In i K <-> exists p, class_name P i p /\ nearest P x p) /\
   Forall2 (class_name P) K C.
 
-(* conv F is a face of conv C: where a linear form is least on it. All of conv C is one, with the form 0. *)
-Definition hull_face C F := exists n h,
-  (forall y, in_conv C y -> h <= dot n y) /\
-  (forall y, in_conv F y <-> in_conv C y /\ dot n y = h).
-
 (* Of x with the contact set C: critical of index k, and regular of the kind (i, j). *)
 Definition has_index C x k := in_relint C x /\ affine_dimension C k.
 Definition has_regular_kind C x i j :=
   in_conv C x /\ ~ in_relint C x /\ affine_dimension C j /\
-  exists F, hull_face C F /\ in_relint F x /\ affine_dimension F i.
+  exists F, face C F /\ in_relint F x /\ affine_dimension F i.
 
 (* A record. Position and squared distance may be left out. *)
 Inductive kind := Critical (index : nat) | Regular (face_dimension hull_dimension : nat).

@@ -176,7 +176,7 @@ Definition inner_centre D x :=
 
 (* The stationary points are the inner centres of samples that are nearest to them. *)
 Theorem stationary_by_search : forall P x,
-  (exists K, stationary P x K) <-> exists D, inner_centre D x /\ forall p, In p D -> nearest P x p.
+  is_stationary P x <-> exists D, inner_centre D x /\ forall p, In p D -> nearest P x p.
 Proof.
   intros P x. destruct (contact_set_exists P x) as [K H]. destruct (contact_points_exist P x K H) as [C HC].
   assert (HN := contact_points P x K C H HC). split.
