@@ -5,14 +5,6 @@ From Flowcert Require Import algebra.Vector3 spec.Hull spec.HalfSpace algebra.Sp
 Import ListNotations.
 Open Scope R_scope.
 
-Lemma vec_eq_dec : forall a b : vec, {a = b} + {a <> b}.
-Proof.
-  intros [a1 a2 a3] [b1 b2 b3].
-  destruct (Req_EM_T a1 b1) as [->|H]; [|right; congruence].
-  destruct (Req_EM_T a2 b2) as [->|H]; [|right; congruence].
-  destruct (Req_EM_T a3 b3) as [->|H]; [left; reflexivity | right; congruence].
-Qed.
-
 (* ---- Affine functions ---- *)
 
 Definition affine (h : vec -> R) := exists g c, forall x, h x = dot g x + c.
@@ -235,11 +227,6 @@ Proof.
 Qed.
 Lemma dist2_refl : forall x, dist2 x x = 0.
 Proof. intro x. vdestruct; vunfold; ring. Qed.
-Lemma dist2_zero : forall x y, dist2 x y = 0 -> x = y.
-Proof.
-  intros x y H. apply dot_self_zero in H. destruct x, y. unfold vsub, vzero in H. simpl in H.
-  injection H; intros. apply vec_eq; simpl; lra.
-Qed.
 Lemma dist2_sym : forall x y, dist2 x y = dist2 y x.
 Proof. intros. vdestruct; vunfold; ring. Qed.
 

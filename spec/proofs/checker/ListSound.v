@@ -1,7 +1,7 @@
 (* The simplices that the checker lists are those of FC-CERT-03, each once, and its contact sets are right. *)
 From Coq Require Import Reals ZArith Lra Lia List Bool Permutation Sorting.
 From Flowcert Require Import algebra.Vector3 spec.Hull spec.HalfSpace algebra.Sphere spec.CriticalPoint
-  judge.Judge judge.Dimension.
+  spec.Stationary judge.Judge judge.Dimension.
 From Flowcert Require Import checker.Simplices checker.Certificate checker.Conditions checker.Faces.
 From Flowcert Require Import checker.StationaryList checker.Affine checker.Volumes checker.Tiling checker.Delaunay.
 From Flowcert Require Import checker.StationarySimplices checker.Centres checker.Sound.
@@ -274,24 +274,16 @@ Proof.
     + intro Q. apply Nv. apply (in_map (fun i => emb (place rows i))); auto.
 Qed.
 
-(* The centre in aff s of a sphere through s is unique. *)
-Lemma centre_unique : forall s z r2 z' s2 w w', length w = length s -> length w' = length s -> sum w = 1 ->
-  sum w' = 1 -> comb w s = z -> comb w' s = z' -> on_sphere z r2 s -> on_sphere z' s2 s -> z = z' /\ (s <> [] ->
-    r2 = s2).
+(* The sphere through s with its centre in aff s is unique. *)
+Lemma sphere_unique : forall s z r2 z' s2, in_aff s z -> in_aff s z' -> on_sphere z r2 s -> on_sphere z' s2 s ->
+  z = z' /\ (s <> [] -> r2 = s2).
 Proof.
-  intros s z r2 z' s2 w w' L L' S S' E E' O O'.
-  set (h := fun x => power z r2 x - power z' s2 x).
-  assert (Ah : affine h) by apply power_difference.
-  assert (Zero : forall v, length v = length s -> sum v = 1 -> h (comb v s) = 0).
-  { intros v Lv Sv. rewrite affine_comb by auto.
-    assert (G : forall v t, (forall p, In p t -> h p = 0) -> sum (map (fun '(a, p) => a * h p) (combine v t)) = 0).
-    { clear. induction v as [|a v IH]; intros [|p t] H; simpl; auto. rewrite IH by (intros; apply H; right; auto).
-      rewrite (H p) by (left; auto). lra. }
-    apply G. intros p Hp. unfold h. rewrite O, O' by auto. ring. }
-  assert (H1 := Zero w L S). assert (H2 := Zero w' L' S'). rewrite E in H1. rewrite E' in H2.
-  unfold h, power in H1, H2. rewrite dist2_refl in H1, H2. rewrite (dist2_sym z' z) in H1.
-  assert (D : dist2 z z' = 0) by lra. apply dist2_zero in D. split; auto. intros _. subst z'. rewrite D,
-    dist2_refl in H1. lra.
+  intros s z r2 z' s2 A A' O O'. assert (D := fun p => on_sphere_at _ _ _ p O).
+  assert (D' := fun p => on_sphere_at _ _ _ p O').
+  assert (E : z = z').
+  { apply (centre_unique s); auto; intros p q Hp Hq; [rewrite !D by auto | rewrite !D' by auto]; auto. }
+  split; auto. intros N. destruct s as [|p s]; [contradiction|]. subst z'.
+  transitivity (dist2 z p); [symmetry; apply D | apply D']; left; auto.
 Qed.
 
 Theorem centred_is_listed : forall t z, centred_simplex real_cells t z ->
@@ -333,8 +325,8 @@ Proof.
   assert (Cwz : comb wz (real rows s) = z).
   { unfold wz. rewrite comb_total, <- !Sum by auto using affine_vx, affine_vy, affine_vz. destruct z; reflexivity. }
   assert (O' : on_sphere z r2 (real rows s)) by (intros v Hv; apply O; apply Same; auto).
-  destruct (centre_unique (real rows s) z r2 _ _ wz (real_weights (places rows s)) (map_length _ _) Lw Swz Sw Cwz Cw O'
-    (face_on_sphere c s F)) as [Ez Er].
+  destruct (sphere_unique (real rows s) z r2 _ _ (ex_intro _ wz (conj (map_length _ _) (conj Swz Cwz)))
+    (ex_intro _ (real_weights (places rows s)) (conj Lw (conj Sw Cw))) O' (face_on_sphere c s F)) as [Ez Er].
   assert (Er2 : r2 = radius2_of (places rows s)).
   { apply Er. intro G. apply (f_equal (@length vec)) in G. unfold real in G. rewrite map_length in G. simpl in G. lia. }
   exists s. split; [|split; auto]. apply listed_iff. split.

@@ -4,7 +4,7 @@
    Exit status: 0, proved; 1, rejected; 2, cannot be decoded.
 
    This file is not proved. It reads points, from text to doubles and from doubles to integers on one grid, and the
-   header of a certificate, and it counts and prints. All else is in spec/proofs/checker/. *)
+   header of a certificate, and it counts and prints. All else is in the other files of this folder. *)
 module Integer = Z  (* zarith's own; the extracted code has another Z *)
 open Checker_extracted
 

@@ -72,6 +72,13 @@ Proof.
   - rewrite comb_ladd, comb_lscale, Ec, Ed by (rewrite ?lscale_length; auto). apply vec_eq; simpl; lra.
 Qed.
 
+Lemma dist2_zero : forall x y, dist2 x y = 0 -> x = y.
+Proof.
+  intros x y H. apply dot_self_zero in H. transitivity (vadd (vsub x y) y); [apply vec_eq; simpl; ring|].
+  rewrite H. apply vec_eq; simpl; ring.
+Qed.
+Lemma vec_eq_dec : forall a b : vec, {a = b} + {a <> b}.
+Proof. decide equality; apply Req_EM_T. Qed.
 Lemma cauchy_schwarz2 : forall a b, dot a b * dot a b <= dot a a * dot b b.
 Proof.
   intros a b. assert (F : dot a a * dot b b - dot a b * dot a b = dot (cross a b) (cross a b)).

@@ -10,8 +10,6 @@ Open Scope R_scope.
 (* This is h of FC-SIGN-01. *)
 Local Notation h := Cascade.h.
 
-Lemma vec_dec : forall a b : vec, {a = b} + {a <> b}.
-Proof. decide equality; apply Req_EM_T. Qed.
 Lemma h_is_power : forall p0 p1 q, dist2 (midpoint p0 p1) q - dist2 (midpoint p0 p1) p0 = h p0 p1 q.
 Proof. intros. unfold Cascade.h. vdestruct; vunfold; field. Qed.
 Lemma h_at_ends : forall p0 p1, h p0 p1 p0 = 0 /\ h p0 p1 p1 = 0.
@@ -52,8 +50,8 @@ Proof.
     destruct K as [<-|[<-|[]]]; [apply N0 | apply N1]; eapply point_at_same; eauto.
   - intros H. destruct (h_at_ends p0 p1) as [H0 H1].
     assert (G : forall q, In q P -> 0 <= h p0 p1 q /\ (h p0 p1 q = 0 -> q = p0 \/ q = p1)).
-    { intros q Hq. destruct (vec_dec q p0) as [->|N0]; [rewrite H0; split; auto; lra|].
-      destruct (vec_dec q p1) as [->|N1]; [rewrite H1; split; auto; lra|].
+    { intros q Hq. destruct (vec_eq_dec q p0) as [->|N0]; [rewrite H0; split; auto; lra|].
+      destruct (vec_eq_dec q p1) as [->|N1]; [rewrite H1; split; auto; lra|].
       specialize (H q Hq N0 N1). split; intros; lra. }
     assert (C : sphere_conditions P [i; j] [p0; p1] m (dist2 m p0)).
     { split; [split; [apply conv_in_aff, Mid|] |].
@@ -142,7 +140,7 @@ Lemma edge_of_cell : forall P T t F p0 p1, delaunay_triangulation P T -> In t T 
   incl F t -> in_conv F (midpoint p0 p1) -> In p0 F.
 Proof.
   intros P T t F p0 p1 D Ht H0 H1 N I M. destruct (off_plane P T t p0 D Ht H0) as [u [l [U L]]].
-  destruct (in_dec vec_dec p0 F) as [Y|Y]; auto.
+  destruct (in_dec vec_eq_dec p0 F) as [Y|Y]; auto.
   exfalso. apply U. assert (E : dot u (midpoint p0 p1) = l).
   { apply (aff_level u l F); [|apply conv_in_aff; auto]. intros q Hq. apply L; auto. intros ->. auto. }
   assert (E1 : dot u p1 = l) by (apply L; auto). revert E E1. clear. vdestruct; vunfold. lra.
@@ -210,8 +208,8 @@ Proof.
   { intros v Hv. rewrite G, (S v Hv). ring. }
   destruct (h_at_ends p0 p1) as [Z0 Z1].
   assert (D : forall v, In v t -> dot u v <= k /\ (dot u v = k -> v = p0 \/ v = p1)).
-  { intros v Hv. specialize (On v Hv). destruct (vec_dec v p0) as [->|V0]; [rewrite Z0 in On; split; auto; lra|].
-    destruct (vec_dec v p1) as [->|V1]; [rewrite Z1 in On; split; auto; lra|].
+  { intros v Hv. specialize (On v Hv). destruct (vec_eq_dec v p0) as [->|V0]; [rewrite Z0 in On; split; auto; lra|].
+    destruct (vec_eq_dec v p1) as [->|V1]; [rewrite Z1 in On; split; auto; lra|].
     specialize (H v Hv V0 V1). split; intros; lra. }
   assert (M : dot u m = k).
   { apply On in A0, A1. rewrite Z0 in A0. rewrite Z1 in A1. assert (E : dot u m = / 2 * (dot u p0 + dot u p1)).

@@ -110,11 +110,6 @@ Proof.
   - intros R. destruct (hull_nonempty C x (proj1 R)) as [p Hp].
     destruct (affine_dimension_exists C p Hp) as [k Hk]. exists k. split; auto. exists C. auto.
 Qed.
-Lemma dist2_zero : forall x y, dist2 x y = 0 -> x = y.
-Proof.
-  intros x y H. apply dot_self_zero in H. transitivity (vadd (vsub x y) y); [apply vec_eq; simpl; ring|].
-  rewrite H. apply vec_eq; simpl; ring.
-Qed.
 
 (* ---- FC-CRIT-04 ---- *)
 
