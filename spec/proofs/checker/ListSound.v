@@ -387,7 +387,7 @@ Proof.
     unfold power. lra. }
   subst r2. set (z := centre_of (places rows s)) in *. set (r2 := radius2_of (places rows s)) in *.
   assert (Empty : forall q, In q P -> 0 <= power z r2 q)
-    by (intros; apply (local_test P real_cells b proper glued local (real rows s)); auto).
+    by (intros; apply (empty_sphere_of_simplex P real_cells b proper glued local (real rows s)); auto).
   assert (Some_ : exists v, In v P /\ power z r2 v = 0).
   { destruct (face_facts c s F) as [I _]. destruct s as [|i s]; [simpl in L; lia|].
     exists (emb (place rows i)). split; [|apply S; left; auto].

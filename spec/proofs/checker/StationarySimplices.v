@@ -52,9 +52,9 @@ Proof.
     destruct (in_dec vec_eq_dec v s) as [J|J]; [apply H1 in J; lra | rewrite H2; auto; lra].
 Qed.
 
-(* The local test: no sample is strictly inside the sphere of a centred simplex. *)
-Lemma local_test : forall s z r2 p, (exists t, In t cells /\ incl s t) -> in_relint s z -> on_sphere z r2 s ->
-  (forall q, link_sample cells s q -> 0 <= power z r2 q) -> In p P -> 0 <= power z r2 p.
+(* No sample is strictly inside the sphere of a centred simplex. *)
+Lemma empty_sphere_of_simplex : forall s z r2 p, (exists t, In t cells /\ incl s t) -> in_relint s z ->
+  on_sphere z r2 s -> (forall q, link_sample cells s q -> 0 <= power z r2 q) -> In p P -> 0 <= power z r2 p.
 Proof.
   intros s z r2 p [t0 [Ht0 I0]] Hz S Link Hp.
   destruct (far_near proper z) as [e [He Far]].
@@ -92,7 +92,7 @@ Qed.
 Theorem centred_is_stationary : forall s z, centred_simplex cells s z -> is_stationary P z /\ ~ In z P.
 Proof.
   intros s z [T [N [L [Hz [r2 [S Link]]]]]].
-  assert (Empty : forall p, In p P -> 0 <= power z r2 p) by (intros; apply (local_test s); auto).
+  assert (Empty : forall p, In p P -> 0 <= power z r2 p) by (intros; apply (empty_sphere_of_simplex s); auto).
   destruct T as [t [Ht I]].
   assert (IP : incl s P) by (intros v Hv; apply (cell_points proper t); auto).
   split.
