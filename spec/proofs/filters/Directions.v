@@ -13,16 +13,14 @@ Open Scope R_scope.
 (* The part of U in the plane orthogonal to e. *)
 Definition in_plane e U := vsub U (vscale (dot U e / dot e e) e).
 
-(* The tangent of the angle between y and P is at most t: P is a positive multiple of y, and a vector across y that is
-   at most t times as long as that multiple. *)
-Definition turned_by_at_most t y P :=
-  exists s D, 0 < s /\ P = vadd (vscale s y) D /\ dot D y = 0 /\ len D <= t * (s * len y).
+(* The angle between P and y is less than a right one, and its tangent is at most t. *)
+Definition tangent_at_most t y P := 0 < dot P y /\ len (cross P y) <= t * dot P y.
 
 Record known (e y U : vec) (t : R) : Prop := Known {
   in_facet : dot y e = 0;
   is_short : len U <= 1 + 16 * u;
   leaves_plane : Rabs (dot U e) <= 12 * u * (len U * len e);
-  angle_is_small : turned_by_at_most t y (in_plane e U);
+  angle_is_small : tangent_at_most t y (in_plane e U);
   error_is_small : 0 <= t <= 3 / 32 }.
 
 (* ---- Linear forms ---- *)
@@ -33,6 +31,27 @@ Lemma len_vzero : len vzero = 0.
 Proof. unfold len, dot, vzero. cbn. replace (0 * 0 + 0 * 0 + 0 * 0) with 0 by ring. apply sqrt_0. Qed.
 Lemma dot_sym : forall a b, dot a b = dot b a.
 Proof. intros. unfold dot. ring. Qed.
+
+(* So P is a positive multiple of y, and a vector across y that is at most t times as long as that multiple. *)
+Lemma parts_of_turned : forall t y P, tangent_at_most t y P ->
+  exists s D, 0 < s /\ P = vadd (vscale s y) D /\ dot D y = 0 /\ len D <= t * (s * len y).
+Proof.
+  intros t y P [H T]. assert (Y0 : len y <> 0).
+  { intro Z. apply len_zero in Z. rewrite Z in H. unfold dot, vzero in H. cbn in H. lra. }
+  assert (Ly := len_nonneg y). assert (Y : 0 < dot y y) by (rewrite <- len_sq; nra).
+  set (s := dot P y / dot y y). set (D := vsub P (vscale s y)).
+  assert (S : 0 < s) by (unfold s; apply Rdiv_lt_0_compat; assumption).
+  assert (E : dot P y = s * dot y y) by (unfold s; field; lra).
+  assert (O : dot D y = 0).
+  { unfold D. replace (dot (vsub P (vscale s y)) y) with (dot P y - s * dot y y) by (vdestruct; vunfold; ring). lra. }
+  exists s, D. split; [exact S|]. split; [apply vec_eq; cbn; ring|]. split; [exact O|].
+  assert (C : len D * len y = len (cross P y)).
+  { replace (cross P y) with (cross D y) by (unfold D; generalize s; clear; intros; vdestruct; apply vec_eq; cbn; ring).
+    unfold len. rewrite <- sqrt_mult by apply dot_self_nonneg. f_equal.
+    assert (G : dot (cross D y) (cross D y) = dot D D * dot y y - dot D y * dot D y)
+      by (generalize D; clear; intros; vdestruct; vunfold; ring). rewrite G, O. ring. }
+  apply Rmult_le_reg_r with (len y); [lra|]. rewrite C. eapply Rle_trans; [exact T|]. right. rewrite E, <- len_sq. ring.
+Qed.
 
 (* Pythagoras. *)
 Lemma part_is_shorter : forall a b, dot a b = 0 -> len a <= len (vadd a b).
@@ -67,7 +86,8 @@ Qed.
 Theorem form_of_known : forall e y U t, known e y U t -> exists s, 0 < s /\
   forall c, Rabs (dot U c - s * dot y c) <= (t + 12 * u) * (1 + 16 * u) * len c.
 Proof.
-  intros e y U t [F L W [s [D [S [P [O T]]]]] E]. exists s. split; [exact S|]. intro c.
+  intros e y U t [F L W Turn E]. destruct (parts_of_turned _ _ _ Turn) as [s [D [S [P [O T]]]]].
+  exists s. split; [exact S|]. intro c.
   generalize u_pos (len_nonneg U) (len_nonneg c) (len_nonneg y) (len_nonneg D). intros U0 LU Lc Ly LD.
   set (k := vscale (dot U e / dot e e) e). assert (K : len k <= 12 * u * len U) by (apply leaving_len; lra).
   assert (X : dot U c - s * dot y c = dot D c + dot k c).
