@@ -139,14 +139,16 @@ Definition most a b := Choose Less a b b a.
 Definition shortest := replace vertex_inputs (least (least (norm 0) (norm 1)) (norm 2)).
 Definition longest := replace vertex_inputs (most (most (norm 0) (norm 1)) (norm 2)).
 Lemma vertex_match :
-  [Code.StartAtVertex.u_x; Code.StartAtVertex.u_y; Code.StartAtVertex.u_z; Code.StartAtVertex.error] =
-    map (replace in_start) results /\
+  Code.StartAtVertex.u_x = replace in_start Code.OfVector.u_x /\
+  Code.StartAtVertex.u_y = replace in_start Code.OfVector.u_y /\
+  Code.StartAtVertex.u_z = replace in_start Code.OfVector.u_z /\
+  Code.StartAtVertex.error = replace in_start Code.OfVector.error /\
   Code.StartAtVertex.is_known =
     If LessEqual low_square (Mul shortest shortest) (If LessEqual (Mul shortest shortest) high_square
       (If LessEqual low_square (Mul longest longest) (If LessEqual (Mul longest longest) high_square
         (replace_in_tree in_start Code.OfVector.is_known)
       (Answer None)) (Answer None)) (Answer None)) (Answer None).
-Proof. split; vm_compute; reflexivity. Qed.
+Proof. repeat split; vm_compute; reflexivity. Qed.
 
 Definition vertex_needs : Q := 215 # 10.
 
