@@ -14,6 +14,28 @@ Definition way_to_vertex p0 p1 v0 v1 v2 v3 :=
   let a := vsub v1 v0 in let b := vsub v2 v0 in let c := vsub v3 v0 in
   vadd (numerator a b c) (vscale (det a b c) (vadd (vsub v0 p0) (vsub v0 p1))).
 
+Definition from_middle p0 p1 v0 v1 v2 v3 :=
+  vsub (vadd v0 (centre (vsub v1 v0) (vsub v2 v0) (vsub v3 v0))) (midpoint p0 p1).
+Lemma way_is_to_centre : forall p0 p1 v0 v1 v2 v3, det (vsub v1 v0) (vsub v2 v0) (vsub v3 v0) <> 0 ->
+  way_to_vertex p0 p1 v0 v1 v2 v3 =
+  vscale (2 * det (vsub v1 v0) (vsub v2 v0) (vsub v3 v0)) (from_middle p0 p1 v0 v1 v2 v3).
+Proof.
+  intros p0 p1 v0 v1 v2 v3 D. unfold way_to_vertex, from_middle, centre, midpoint.
+  generalize dependent (det (vsub v1 v0) (vsub v2 v0) (vsub v3 v0)).
+  generalize (numerator (vsub v1 v0) (vsub v2 v0) (vsub v3 v0)). intros n D N.
+  apply vec_eq; cbn; field; exact N.
+Qed.
+(* The centre is as far from both ends of an edge of its own cell. *)
+Lemma way_is_in_facet : forall p0 p1 v0 v1 v2 v3, let c := vadd v0 (centre (vsub v1 v0) (vsub v2 v0) (vsub v3 v0)) in
+  det (vsub v1 v0) (vsub v2 v0) (vsub v3 v0) <> 0 -> dist2 c p0 = dist2 c p1 ->
+  dot (way_to_vertex p0 p1 v0 v1 v2 v3) (vsub p1 p0) = 0.
+Proof.
+  intros p0 p1 v0 v1 v2 v3 c D H. rewrite way_is_to_centre by exact D. unfold from_middle. fold c.
+  assert (E : forall k, dot (vscale k (vsub c (midpoint p0 p1))) (vsub p1 p0) = k * (dist2 c p0 - dist2 c p1) / 2).
+  { generalize c. clear. intros. vdestruct. vunfold. field. }
+  rewrite E, H. field.
+Qed.
+
 Lemma start_in_other_order : forall a b c t,
   vadd (vadd (vadd (vscale (dot a a) (cross b c)) (vscale (dot b b) (cross c a))) (vscale (dot c c) (cross a b))) t =
   vadd (numerator a b c) t.
@@ -216,7 +238,7 @@ Proof.
 Qed.
 End Vertex.
 
-(* The facet's edge p0p1 is one of a cell v0 v1 v2 v3, or its ends are at least as far from the cell's centre. *)
+(* p0p1 is the facet's edge, and v0 v1 v2 v3 the cell. way_is_in_facet tells where y is in the facet's plane. *)
 Theorem vertex_right : forall x,
   let p k := point x k in let e := vsub (p 1%nat) (p 0%nat) in
   let y := way_to_vertex (p 0%nat) (p 1%nat) (p 2%nat) (p 3%nat) (p 4%nat) (p 5%nat) in
