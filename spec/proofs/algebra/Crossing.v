@@ -167,7 +167,8 @@ Lemma orthogonal_parts : dot w n = 0 /\ dot w' n = 0 /\ dot w w = dot n n * dot 
   dot w' w' = dot n' n' * dot e' e' /\ 0 < dot n n /\ 0 < dot n' n' /\ 0 < dot e e.
 Proof.
   destruct (is_plane _ _ _ _ _ _ P) as [k K]. fold n n' in K.
-  assert (N := has_area _ _ _ _ _ _ P). assert (E := edge_of_area _ _ _ N). apply dot_positive in N, E. fold n e in N, E.
+  assert (N := has_area _ _ _ _ _ _ P). assert (E := edge_of_area _ _ _ N). apply dot_positive in N, E. fold n e in N,
+    E.
   assert (N' := has_next_area _ _ _ _ _ _ P). apply dot_positive in N'. fold n' in N'.
   split; [apply cross_orthogonal|]. split.
   - assert (Z := cross_orthogonal n' e'). change (cross n' e') with w' in Z. rewrite K in Z at 1.
@@ -228,7 +229,8 @@ Proof.
   - assert (dot (vsub (vadd (midpoint p0 p1) (vscale k w)) p0) n = dot n (vsub p1 p0) / 2 + k * dot w n).
     { generalize w n k. clear. intros. vdestruct. vunfold. field. }
     rewrite H, F, O. field.
-  - assert (dist2 (vadd (midpoint p0 p1) (vscale k w)) p0 - dist2 (vadd (midpoint p0 p1) (vscale k w)) p1 = 2 * k * dot w
+  - assert (dist2 (vadd (midpoint p0 p1) (vscale k w)) p0 - dist2 (vadd (midpoint p0 p1) (vscale k w)) p1 = 2 * k * dot
+    w
       (vsub p1 p0)); [|rewrite E in H; lra]. generalize w k. clear. intros. vdestruct. vunfold. field.
   - assert (dist2 (vadd (midpoint p0 p1) (vscale k w)) p0 - dist2 (vadd (midpoint p0 p1) (vscale k w)) q = k * dot w
       (bisector_g p0 p1 q) - h p0 p1 q + k * dot w (vsub p1 p0)); [|rewrite E in H; lra].

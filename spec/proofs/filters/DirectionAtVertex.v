@@ -51,7 +51,8 @@ Let n k := val (on_doubles w (norm k)).
 
 Lemma norms_of_bound : finite (z 6%nat) ->
   (forall k, (k < 5)%nat -> finite (on_doubles w (norm k))) /\
-  val (z 6%nat) = rnd (rnd (val (on_doubles x (in_roundoffs kVertexStartBound)) * rnd (rnd (n 0%nat * n 1%nat) * n 2%nat))
+  val (z 6%nat) = rnd (rnd (val (on_doubles x (in_roundoffs kVertexStartBound)) * rnd (rnd (n 0%nat * n 1%nat) * n
+    2%nat))
     * rnd (rnd (rnd (rnd (n 0%nat + n 1%nat) + n 2%nat) + n 3%nat) + n 4%nat)).
 Proof.
   intro F. unfold z, in_start in F |- *. rewrite on_doubles_replace in F |- *. fold w in F |- *.
@@ -82,7 +83,8 @@ Proof.
   assert (L := rlength_lower (v k) Fv). rewrite <- En in L.
   assert (P99 : / 10 ^ 100 <= / 10 ^ 99) by (apply Rinv_le; [apply pow_lt; lra | apply Rle_pow; [lra | lia]]).
   split; [|split].
-  - assert (len (d k) * (1 - u) * (1 - 2.6 * u) <= len (v k) * (1 - 2.6 * u)) by (apply Rmult_le_compat_r; rewrite ?Hu in
+  - assert (len (d k) * (1 - u) * (1 - 2.6 * u) <= len (v k) * (1 - 2.6 * u)) by (apply Rmult_le_compat_r; rewrite ?Hu
+    in
       *; lra). rewrite Hu in *. lra.
   - rewrite En. unfold rlength, rnd. apply round_ge_generic; auto with typeclass_instances; [apply generic_format_0 |
       apply sqrt_pos].
@@ -152,7 +154,8 @@ Proof.
       apply Rnot_lt_le. intro N. assert (ss : s * s <= / 10 ^ 26 * / 10 ^ 26) by (apply Rmult_le_compat; lra).
       assert (R := rnd_any (s * s)). rewrite (Rabs_pos_eq (s * s)) in R by apply Rle_0_sqr. apply Rabs_le_inv in R.
       assert (T : u * tau <= / 10 ^ 60).
-      { apply Rle_trans with (1 * / 10 ^ 60); [|lra]. apply Rmult_le_compat; [lra | left; apply tau_pos | rewrite Hu; lra
+      { apply Rle_trans with (1 * / 10 ^ 60); [|lra]. apply Rmult_le_compat; [lra | left; apply tau_pos | rewrite Hu;
+        lra
           |]. eapply Rle_trans; [apply tau_small|]. apply Rinv_le; [apply pow_lt; lra | apply Rle_pow; [lra | lia]]. }
       rewrite Eq in Rq. rewrite Hu in *. lra. }
     assert (D28 : forall k, (k < 3)%nat -> / 10 ^ 28 <= len (d k)).
@@ -204,16 +207,19 @@ Proof.
       assert (Product : m 0%nat * m 1%nat * m 2%nat <= len (d 0%nat) * (1 + 9.1 * u) * (len (d 1%nat) * (1 + 9.1 * u)) *
         (len (d 2%nat) * (1 + 9.1 * u))).
       { apply Rmult_le_compat; [apply Rmult_le_pos; apply M | apply M | apply Rmult_le_compat; auto | exact N2]. }
-      replace (m 0%nat * m 0%nat * (m 1%nat * m 2%nat) + m 1%nat * m 1%nat * (m 2%nat * m 0%nat) + m 2%nat * m 2%nat * (m
+      replace (m 0%nat * m 0%nat * (m 1%nat * m 2%nat) + m 1%nat * m 1%nat * (m 2%nat * m 0%nat) + m 2%nat * m 2%nat *
+        (m
         0%nat * m 1%nat) + m 0%nat * (m 1%nat * m 2%nat) * (m 3%nat + m 4%nat)) with
         (m 0%nat * m 1%nat * m 2%nat * (m 0%nat + m 1%nat + m 2%nat + m 3%nat + m 4%nat)) by ring.
       eapply Rle_trans; [apply Rmult_le_compat; [| |exact Product | exact Sum]|].
       - apply Rmult_le_pos; [apply Rmult_le_pos; apply M | apply M].
       - generalize (M 0%nat) (M 1%nat) (M 2%nat) (M 3%nat) (M 4%nat). lra.
-      - replace (len (d 0%nat) * (1 + 9.1 * u) * (len (d 1%nat) * (1 + 9.1 * u)) * (len (d 2%nat) * (1 + 9.1 * u)) * ((len
+      - replace (len (d 0%nat) * (1 + 9.1 * u) * (len (d 1%nat) * (1 + 9.1 * u)) * (len (d 2%nat) * (1 + 9.1 * u)) *
+        ((len
           (d 0%nat) + len (d 1%nat) + len (d 2%nat) + len (d 3%nat) + len (d 4%nat)) * (1 + 20 * u))) with
           (T * ((1 + 9.1 * u) * (1 + 9.1 * u) * (1 + 9.1 * u) * (1 + 20 * u))) by (unfold T; ring).
-        apply Rmult_le_compat_l; [assert (0 < / 10 ^ 112) by (apply Rinv_0_lt_compat, pow_lt; lra); lra | rewrite Hu; lra].
+        apply Rmult_le_compat_l; [assert (0 < / 10 ^ 112) by (apply Rinv_0_lt_compat, pow_lt; lra); lra | rewrite Hu;
+          lra].
       }
     assert (P112 : 0 < / 10 ^ 112) by (apply Rinv_0_lt_compat, pow_lt; lra).
     destruct (error_below (error (fun _ => unit) start_vector) (1345 # 100)) as [Q0 Q]; [vm_compute; reflexivity|].

@@ -29,7 +29,8 @@ Proof.
   change (round radix2 (SpecFloat.fexp 53 1024) (round_mode mode_NE)) with rnd. unfold val in *.
   rewrite no_overflow_below by exact H. intros [V [F _]]. split; assumption.
 Qed.
-Lemma div_forward : forall a b : double, finite a -> finite b -> val b <> 0 -> Rabs (val a / val b) <= bpow radix2 1000 ->
+Lemma div_forward : forall a b : double, finite a -> finite b -> val b <> 0 -> Rabs (val a / val b) <= bpow radix2 1000
+  ->
   finite (Bdiv mode_NE a b) /\ val (Bdiv mode_NE a b) = rnd (val a / val b).
 Proof.
   intros a b Fa Fb N H. generalize (Bdiv_correct 53 1024 _ _ mode_NE a b N).
@@ -67,11 +68,13 @@ Proof.
   intros zero b i c Fz Ez Fc Nb Hi Hc.
   assert (Ni : not_negative i).
   { right. destruct i as [s|s| |s m e H].
-    - exfalso. rewrite compare_finite in Hi by (assumption || reflexivity). cbn [compare_reals] in Hi. revert Hi. case Rlt_bool_spec;
+    - exfalso. rewrite compare_finite in Hi by (assumption || reflexivity). cbn [compare_reals] in Hi. revert Hi. case
+      Rlt_bool_spec;
         [|discriminate]. intros Hi _. rewrite Ez in Hi. cbn in Hi. lra.
     - destruct s; [|reflexivity]. exfalso. destruct zero as [t|t| |t n f G]; discriminate.
     - exfalso. destruct zero as [t|t| |t n f G]; discriminate.
-    - destruct s; [|reflexivity]. exfalso. rewrite compare_finite in Hi by (assumption || reflexivity). cbn [compare_reals] in Hi. revert Hi.
+    - destruct s; [|reflexivity]. exfalso. rewrite compare_finite in Hi by (assumption || reflexivity). cbn
+      [compare_reals] in Hi. revert Hi.
       case Rlt_bool_spec; [|discriminate]. intros Hi _. rewrite Ez in Hi. cbn in Hi.
       assert (F2R (Float radix2 (Z.neg m) e) <= 0) by (apply F2R_le_0; cbn; lia). lra. }
   assert (F : finite (Bmult mode_NE b i)).
@@ -81,7 +84,8 @@ Proof.
       + cbn in S. subst s. destruct c as [t|t| |t n f G]; discriminate.
       + discriminate. }
   destruct (mul_back _ _ F) as [Fb [Fi _]]. split; [exact F|]. split; [exact Fb|]. split; [exact Fi|].
-  rewrite compare_finite in Hi by (assumption || reflexivity). cbn [compare_reals] in Hi. revert Hi. case Rlt_bool_spec; [|discriminate].
+  rewrite compare_finite in Hi by (assumption || reflexivity). cbn [compare_reals] in Hi. revert Hi. case
+    Rlt_bool_spec; [|discriminate].
   intros Hi _. lra.
 Qed.
 
@@ -342,7 +346,8 @@ Proof.
     /\ val r = rnd (val (x j) - rnd (val (on_doubles x along_edge) * val (x (3 + j)%nat)))).
   { intros j Hj r. assert (Cj := Cf j Hj). assert (Yj := CY j Hj).
     assert (M : Rabs (val (on_doubles x along_edge) * val (x (3 + j)%nat)) <= bpow radix2 707).
-    { rewrite Rabs_mult. change 707%Z with (619 + 88)%Z. rewrite bpow_plus. apply Rmult_le_compat; auto using Rabs_pos. }
+    { rewrite Rabs_mult. change 707%Z with (619 + 88)%Z. rewrite bpow_plus. apply Rmult_le_compat; auto using Rabs_pos.
+      }
     destruct (mul_forward (on_doubles x along_edge) (x (3 + j)%nat) Fk (Ff j Hj)) as [Fm Em].
     { eapply Rle_trans; [exact M | apply bpow_le; lia]. }
     destruct (sub_forward (x j) (Bmult mode_NE (on_doubles x along_edge) (x (3 + j)%nat)) (Fy j Hj) Fm) as [Fr2 Er2].
@@ -352,7 +357,8 @@ Proof.
       - change 2 with (bpow radix2 1). rewrite <- bpow_plus. apply bpow_le. lia. }
     split; [exact Fr2|]. rewrite Em in Er2. exact Er2. }
   set (parts j := Sub (Var j) (Mul along_edge (Var (3 + j)))) in *.
-  assert (Proj : projection f Y = V (val (on_doubles x (parts 0%nat))) (val (on_doubles x (parts 1%nat))) (val (on_doubles
+  assert (Proj : projection f Y = V (val (on_doubles x (parts 0%nat))) (val (on_doubles x (parts 1%nat))) (val
+    (on_doubles
     x (parts 2%nat)))).
   { destruct (Part 0%nat ltac:(lia)) as [_ V0]. destruct (Part 1%nat ltac:(lia)) as [_ V1]. destruct (Part 2%nat
       ltac:(lia)) as [_ V2]. change (Sub (Var 0) (Mul along_edge (Var (3 + 0)))) with (parts 0%nat) in V0.

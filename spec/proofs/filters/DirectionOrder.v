@@ -48,7 +48,8 @@ Proof.
   set (p0 := (t / 4 + c) * (1 - 2.01 * u)).
   assert (Hp : p0 <= part).
   { assert (A : t / 4 * (1 - u) - u * tau <= rnd (q * t)).
-    { generalize (rnd_any (q * t)). rewrite (Rabs_pos_eq (q * t)) by (apply Rmult_le_pos; lra). intro R. apply Rabs_le_inv in R.
+    { generalize (rnd_any (q * t)). rewrite (Rabs_pos_eq (q * t)) by (apply Rmult_le_pos; lra). intro R. apply
+      Rabs_le_inv in R.
       assert (/ 4 * t * (1 - u) <= q * t * (1 - u)).
       { apply Rmult_le_compat_r; [rewrite Hu; lra|]. apply Rmult_le_compat_r; lra. }
       lra. }
@@ -212,7 +213,8 @@ Proof.
   intros G S HG HS H. rewrite Rabs_pos_eq by lra. eapply Rle_trans; [exact H|].
   apply Rle_trans with (10 ^ 26 * 10 ^ 26 * 2).
   - apply Rmult_le_compat; [apply Rmult_le_pos | rewrite u_val | apply Rmult_le_compat | rewrite u_val]; lra.
-  - change (bpow radix2 176) with (IZR (2 ^ 176)). rewrite pow_IZR, <- !mult_IZR. apply IZR_le. vm_compute. discriminate.
+  - change (bpow radix2 176) with (IZR (2 ^ 176)). rewrite pow_IZR, <- !mult_IZR. apply IZR_le. vm_compute.
+    discriminate.
 Qed.
 
 Theorem order_right : forall e y x s, known_on_doubles e y x -> run x Code.Order.sign = Some s ->
@@ -241,7 +243,8 @@ Proof.
   change (value_of_vector (exact_inputs seen_twice x) 3) with (d 3%nat) in *.
   change (value_of_vector (exact_inputs seen_twice x) 4) with (d 4%nat) in *.
   set (Gi := seen_size (d 1%nat) (d 2%nat)) in *. set (Gj := seen_size (d 3%nat) (d 4%nat)) in *.
-  set (Si := on_doubles x (size_square seen_twice 1 2)) in *. set (Sj := on_doubles x (size_square seen_twice 3 4)) in *.
+  set (Si := on_doubles x (size_square seen_twice 1 2)) in *. set (Sj := on_doubles x (size_square seen_twice 3 4)) in
+    *.
   (* the value *)
   destruct (value_of_inputs 5 order 271 seen_twice x) as [FV [Small Error]]; [vm_compute; reflexivity | vm_compute;
     reflexivity | apply (known_is_direction e y), K | |].
@@ -325,7 +328,8 @@ Proof.
       assert (E1 : l + / 10 ^ 43 + (m + / 10 ^ 43) <= G * (1 + u)) by (rewrite Hu in *; lra).
       split; [exact E1|]. set (p := l + / 10 ^ 43) in *. set (q := m + / 10 ^ 43) in *.
       assert (0 <= (p - q) * (p - q)) by apply Rle_0_sqr.
-      assert ((p + q) * (p + q) <= G * (1 + u) * (G * (1 + u))) by (apply Rmult_le_compat; unfold p, q in *; lra). lra. }
+      assert ((p + q) * (p + q) <= G * (1 + u) * (G * (1 + u))) by (apply Rmult_le_compat; unfold p, q in *; lra). lra.
+        }
     destruct (Wide l1 l2 Gi L1 L2 S1 P1 (proj1 HGi)) as [W1 W2].
     destruct (Wide l3 l4 Gj L3 L4 S2 P2 (proj1 HGj)) as [W3 W4].
     assert (Sizes := order_sizes (1 + 16 * u) (l1 + / 10 ^ 43) (l2 + / 10 ^ 43) (l3 + / 10 ^ 43) (l4 + / 10 ^ 43)

@@ -28,7 +28,8 @@ Definition is_direction (x : nat -> double) :=
   (forall k, (18 <= k <= 20)%nat -> finite (x k)) /\ len (direction_of x) <= 1 + 16 * u.
 
 Lemma value_of_inputs : forall count (value : term Scalar) top pairs y,
-  is_above_underflow count value && (1 <=? count)%nat = true -> height (top_of_inputs count) (flatten value) = Some top ->
+  is_above_underflow count value && (1 <=? count)%nat = true -> height (top_of_inputs count) (flatten value) = Some top
+    ->
   is_direction y ->
   (forall k, (1 <= k < count)%nat -> exists G, bounded_vector pairs y k G /\ G <= 10 ^ 26) ->
   let x n := on_doubles y (inputs pairs n) in
@@ -213,7 +214,8 @@ Proof.
   destruct (height (top_of_inputs 3) (flatten approach)) as [top|] eqn:Top; [|vm_compute in Top; discriminate].
   destruct (value_of_inputs 3 approach top seen_from_edge x) as [FV [_ Error]]; [vm_compute; reflexivity | exact Top |
     apply (known_is_direction e y); split; assumption | |].
-  { intros k Hk. destruct k as [|[|[|k]]]; [lia | exists G; split; [exact B1 | lra] | exists G; split; [exact B2 | lra] |
+  { intros k Hk. destruct k as [|[|[|k]]]; [lia | exists G; split; [exact B1 | lra] | exists G; split; [exact B2 | lra]
+    |
       lia]. }
   destruct (header_constant kExitBound approach_needs 1000 eq_refl x) as [Fc Hc].
   replace (Q2R approach_needs) with 19.17 in Hc by (unfold Q2R; cbn; lra).
@@ -342,7 +344,8 @@ Theorem normal_right : forall e y x s, known_on_doubles e y x -> run x Code.Norm
 Proof.
   intros e y x s K H. rewrite normal_match in H. cbn [run] in H.
   destruct (compare_doubles Less _ _); [|discriminate].
-  destruct (compare_doubles LessEqual (on_doubles x low_square) (on_doubles x (corner_square 1))) eqn:HL; [|discriminate].
+  destruct (compare_doubles LessEqual (on_doubles x low_square) (on_doubles x (corner_square 1))) eqn:HL;
+    [|discriminate].
   destruct (compare_doubles LessEqual (on_doubles x (corner_square 1)) _) eqn:HH; [|discriminate].
   destruct (compare_doubles LessEqual (on_doubles x low_square) (on_doubles x (corner_square 2))) eqn:HL2;
     [|discriminate].
@@ -411,7 +414,8 @@ Proof.
     val (on_doubles x (Root (corner_square 1)))) * val (on_doubles x (Root (corner_square 2))))).
   { rewrite EB. unfold rounded. cbn [on_reals w]. rewrite (constant_on_reals kNormalBound _ x) by reflexivity.
     reflexivity. }
-  assert (Cover := normal_covers t _ _ _ _ _ Ht Hc (fmt_val _) (fmt_val _) (proj1 H1) (proj1 H2) L1 L2). fold N in Cover.
+  assert (Cover := normal_covers t _ _ _ _ _ Ht Hc (fmt_val _) (fmt_val _) (proj1 H1) (proj1 H2) L1 L2). fold N in
+    Cover.
   rewrite <- EB' in Cover.
   assert (Final : Rabs (val (on_doubles x (replace (inputs seen_from_corner) (flatten normal))) - dot (direction_of x)
     (cross (d 1%nat) (d 2%nat))) <= 7.4146 * u * N) by (eapply Rle_trans; [exact Error | exact Error']).

@@ -89,7 +89,8 @@ Proof.
   { rewrite <- (sqrt_Rsqr (L * (1 - 1.51 * u))) by (apply Rmult_le_pos; rewrite ?Hu; lra). apply sqrt_le_1_alt.
     unfold Rsqr. eapply Rle_trans; [|exact Y]. replace (L * (1 - 1.51 * u) * (L * (1 - 1.51 * u))) with (L * L * ((1 -
       1.51 * u) * (1 - 1.51 * u))) by ring. apply Rmult_le_compat_l; [apply Rle_0_sqr | rewrite Hu; lra]. }
-  assert (R := rnd_any (sqrt (rdot v v))). rewrite (Rabs_pos_eq (sqrt _)) in R by apply sqrt_pos. apply Rabs_le_inv in R.
+  assert (R := rnd_any (sqrt (rdot v v))). rewrite (Rabs_pos_eq (sqrt _)) in R by apply sqrt_pos. apply Rabs_le_inv in
+    R.
   fold (rlength v) in R.
   assert (L * (1 - 1.51 * u) * (1 - u) <= sqrt (rdot v v) * (1 - u)) by (apply Rmult_le_compat_r; [rewrite Hu; lra |
     exact Q]).
@@ -106,11 +107,13 @@ Proof.
   assert (D := rdot_rounding v v F F). rewrite <- len_sq in D. fold L in D. apply Rabs_le_inv in D.
   assert (Y : rdot v v <= 4 * (/ 10 ^ 27 * / 10 ^ 27)).
   { assert (3.0001 * u * (L * L + 3 * tau) <= L * L + 3 * tau).
-    { rewrite <- (Rmult_1_l (L * L + 3 * tau)) at 2. apply Rmult_le_compat_r; [assert (0 <= L * L) by apply Rle_0_sqr; lra
+    { rewrite <- (Rmult_1_l (L * L + 3 * tau)) at 2. apply Rmult_le_compat_r; [assert (0 <= L * L) by apply Rle_0_sqr;
+      lra
       | rewrite Hu; lra]. } lra. }
   assert (Q : sqrt (rdot v v) <= 2 * / 10 ^ 27).
   { rewrite <- (sqrt_Rsqr (2 * / 10 ^ 27)) by lra. apply sqrt_le_1_alt. unfold Rsqr. lra. }
-  assert (R := rnd_any (sqrt (rdot v v))). rewrite (Rabs_pos_eq (sqrt _)) in R by apply sqrt_pos. apply Rabs_le_inv in R.
+  assert (R := rnd_any (sqrt (rdot v v))). rewrite (Rabs_pos_eq (sqrt _)) in R by apply sqrt_pos. apply Rabs_le_inv in
+    R.
   fold (rlength v) in R. rewrite Hu in *. lra.
 Qed.
 
@@ -155,7 +158,8 @@ Definition vertex_needs : Q := 215 # 10.
 Lemma start_covers : forall c n0 n1 n2 n3 n4 l0 l1 l2 l3 l4,
   21.5 * u <= c <= 1000 * u -> / 10 ^ 28 <= l0 -> / 10 ^ 28 <= l1 -> / 10 ^ 28 <= l2 -> 0 <= l3 -> 0 <= l4 ->
   fmt n0 -> fmt n1 -> fmt n2 -> fmt n3 -> fmt n4 -> 0 <= n3 -> 0 <= n4 ->
-  l0 * (1 - 3.7 * u) - / 10 ^ 99 <= n0 -> l1 * (1 - 3.7 * u) - / 10 ^ 99 <= n1 -> l2 * (1 - 3.7 * u) - / 10 ^ 99 <= n2 ->
+  l0 * (1 - 3.7 * u) - / 10 ^ 99 <= n0 -> l1 * (1 - 3.7 * u) - / 10 ^ 99 <= n1 -> l2 * (1 - 3.7 * u) - / 10 ^ 99 <= n2
+    ->
   l3 * (1 - 3.7 * u) - / 10 ^ 99 <= n3 -> l4 * (1 - 3.7 * u) - / 10 ^ 99 <= n4 ->
   let T := l0 * l1 * l2 * (l0 + l1 + l2 + l3 + l4) in
   c * T * (1 - 30 * u) <= rnd (rnd (c * rnd (rnd (n0 * n1) * n2)) * rnd (rnd (rnd (rnd (n0 + n1) + n2) + n3) + n4)) /\
@@ -196,7 +200,8 @@ Proof.
   assert (G3' := Half 104%nat _ q G3 (proj1 Q)). cbn [Nat.add] in G3'. assert (P105 := P 105%nat).
   (* the sum *)
   set (Z := l0 + l1 + l2 + l3 + l4). assert (Z0 : / 10 ^ 28 <= Z) by (unfold Z; lra).
-  assert (Add1 : forall a b, fmt a -> fmt b -> 0 <= a -> 0 <= b -> (a + b) * (1 - u) <= rnd (a + b) /\ 0 <= rnd (a + b)).
+  assert (Add1 : forall a b, fmt a -> fmt b -> 0 <= a -> 0 <= b -> (a + b) * (1 - u) <= rnd (a + b) /\ 0 <= rnd (a +
+    b)).
   { intros a b Fa Fb Pa Pb. assert (R := rnd_plus a b Fa Fb). rewrite (Rabs_pos_eq (a + b)) in R by lra.
     apply Rabs_le_inv in R. assert (0 <= (a + b) * (1 - u)) by (apply Rmult_le_pos; rewrite ?Hu; lra). lra. }
   destruct (Add1 n0 n1 F0 F1 ltac:(lra) ltac:(lra)) as [S1 S1p]. set (s1 := rnd (n0 + n1)) in *.
@@ -218,7 +223,8 @@ Proof.
       eapply Rle_trans; [|eapply Rle_trans; [exact B4 | exact S4]].
       assert (m4 : 1 - 4 * u <= m * m * m * m) by (unfold m; rewrite Hu; lra).
       assert (m3 : m * m * m * m <= m * m * m).
-      { rewrite <- (Rmult_1_r (m * m * m)) at 2. apply Rmult_le_compat_l; [|lra]. apply Rmult_le_pos; [apply Rmult_le_pos;
+      { rewrite <- (Rmult_1_r (m * m * m)) at 2. apply Rmult_le_compat_l; [|lra]. apply Rmult_le_pos; [apply
+        Rmult_le_pos;
           lra | lra]. }
       assert (m2 : m * m * m <= m * m) by (rewrite <- (Rmult_1_r (m * m)) at 2; apply Rmult_le_compat_l; [apply
         Rmult_le_pos; lra | lra]).
@@ -230,7 +236,8 @@ Proof.
       assert (E3 : n3 * (1 - 4 * u) <= n3 * (m * m)) by (apply Rmult_le_compat_l; lra).
       assert (E4 : n4 * (1 - 4 * u) <= n4 * m) by (apply Rmult_le_compat_l; lra). lra. }
     eapply Rle_trans; [|exact Chain].
-    assert (Z * w * (1 - 4 * u) <= (n0 + n1 + n2 + n3 + n4) * (1 - 4 * u)) by (apply Rmult_le_compat_r; [rewrite Hu; lra |
+    assert (Z * w * (1 - 4 * u) <= (n0 + n1 + n2 + n3 + n4) * (1 - 4 * u)) by (apply Rmult_le_compat_r; [rewrite Hu;
+      lra |
       lra]).
     assert (Z * (1 - 7.8 * u) <= Z * (w * (1 - 4 * u))) by (apply Rmult_le_compat_l; [lra | unfold w; rewrite Hu; lra]).
     lra. }
@@ -248,7 +255,8 @@ Proof.
   { unfold T. fold Z. replace (/ 10 ^ 112) with (/ 10 ^ 84 * / 10 ^ 28) by (rewrite <- Rinv_mult, <- pow_add;
       reflexivity). apply Rmult_le_compat; lra. }
   split; [|exact TT]. eapply Rle_trans; [|exact A5].
-  replace (c * (l0 * w * (l1 * w) * q * (l2 * w) * q) * q * (Z * v) * q) with (c * T * (w * w * w * (q * q * q * q) * v))
+  replace (c * (l0 * w * (l1 * w) * q * (l2 * w) * q) * q * (Z * v) * q) with (c * T * (w * w * w * (q * q * q * q) *
+    v))
     by (unfold T, Z; ring).
   apply Rmult_le_compat_l; [apply Rmult_le_pos; [lra|]; assert (0 < / 10 ^ 112) by apply P; lra|].
   unfold w, q, v. rewrite Hu. lra.

@@ -52,7 +52,8 @@ Proof.
   intros p0 p1 q k0 k1 c Poly e map y P t delta kappa tau r Ye Pe [Hd Ht] T0 Y eta L0 K0 N0 R0 Det Norm Delta Eta.
   (* y is a multiple of P, and W across it *)
   assert (LP := len_nonneg P). assert (PP : 0 < dot P P).
-  { destruct (dot_self_nonneg P) as [H|H]; [exact H|]. exfalso. symmetry in H. apply dot_self_zero in H. rewrite H in Hd.
+  { destruct (dot_self_nonneg P) as [H|H]; [exact H|]. exfalso. symmetry in H. apply dot_self_zero in H. rewrite H in
+    Hd.
     unfold dot, vzero in Hd. cbn in Hd. lra. }
   assert (LP0 : 0 < len P) by (assert (S := len_sq P); nra).
   set (l := dot P y / dot P P). set (W := vsub y (vscale l P)).
@@ -65,7 +66,8 @@ Proof.
   assert (We : dot W e = 0).
   { unfold W. replace (dot (vsub y (vscale l P)) e) with (dot y e - l * dot P e)
       by (generalize l e; clear; intros; vdestruct; vunfold; ring). rewrite Ye, Pe. ring. }
-  assert (CW : cross P y = cross P W) by (rewrite Ey; generalize l W; clear; intros; vdestruct; apply vec_eq; cbn; ring).
+  assert (CW : cross P y = cross P W) by (rewrite Ey; generalize l W; clear; intros; vdestruct; apply vec_eq; cbn;
+    ring).
   assert (LW : len W <= t * l * len P).
   { rewrite CW, cross_orthogonal_len, El, <- len_sq in Ht by exact OW.
     apply Rmult_le_reg_r with (len P); [exact LP0|]. lra. }
@@ -91,7 +93,8 @@ Proof.
         * len P)) by ring. rewrite !Rmult_assoc. rewrite <- Rmult_assoc. rewrite <- (Rmult_assoc t l).
       apply Rmult_le_compat_l; [apply Rmult_le_pos; lra | exact Norm]. }
   assert (Area : len (cross (map P) (map W)) <= t * l * kappa * (len Y * len Y)).
-  { assert (B := map_determinant _ _ _ _ _ _ Poly P W Pe We). apply (f_equal sqrt) in B. rewrite sqrt_scale in B by exact
+  { assert (B := map_determinant _ _ _ _ _ _ Poly P W Pe We). apply (f_equal sqrt) in B. rewrite sqrt_scale in B by
+    exact
       D0. change (sqrt (dot (cross (step p0 p1 q P k0 k1) (step p0 p1 q W k0 k1)) (cross (step p0 p1 q P k0 k1) (step p0
       p1 q W k0 k1)))) with (len (cross (map P) (map W))) in B. rewrite B, cross_orthogonal_len by exact OW.
     set (d := sqrt (determinant_square p0 p1 q k0 k1 c)) in *. assert (d0 : 0 <= d) by apply sqrt_pos.
@@ -101,7 +104,8 @@ Proof.
     - rewrite (Rmult_assoc (t * l) kappa). apply Rmult_le_compat_l; [apply Rmult_le_pos; lra | exact Det]. }
   (* lengths over |Y| *)
   set (L := len Y) in *. set (m := len (map P)).
-  assert (m1 : L <= m + r * L) by (unfold L, Y, m in *; eapply Rle_trans; [apply len_triangle|]; apply Rplus_le_compat_l;
+  assert (m1 : L <= m + r * L) by (unfold L, Y, m in *; eapply Rle_trans; [apply len_triangle|]; apply
+    Rplus_le_compat_l;
     exact Delta).
   assert (m2 : m <= L + r * L).
   { unfold m. replace (map P) with (vadd Y (vscale (-1) delta)) by (unfold Y; apply vec_eq; cbn; ring).
@@ -123,7 +127,8 @@ Proof.
         (dot (map P) (vadd (vscale l (map P)) (map W)) + dot delta (vadd (vscale l (map P)) (map W)))
         by (generalize (map P) (map W) l; clear; intros; vdestruct; vunfold; ring).
       f_equal. generalize (map P) (map W) l. clear. intros. vdestruct. vunfold. ring. }
-    assert (A1 := dot_len (map P) (map W)). assert (A2 := dot_len delta (map y)). apply Rabs_le_inv in A1, A2. fold m in A1.
+    assert (A1 := dot_len (map P) (map W)). assert (A2 := dot_len delta (map y)). apply Rabs_le_inv in A1, A2. fold m
+      in A1.
     assert (A3 : m * len (map W) <= x * L * (l * T * L)).
     { rewrite Ex. apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|]. unfold T. lra. }
     assert (A4 : len delta * len (map y) <= r * L * (l * (x + T) * L)).

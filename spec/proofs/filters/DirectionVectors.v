@@ -1,4 +1,5 @@
-(* What direction_of_vector() of src/flow/kernels/direction.h makes of a vector Y: its part in a facet's plane, shortened
+(* What direction_of_vector() of src/flow/kernels/direction.h makes of a vector Y: its part in a facet's plane,
+  shortened
    to 1. `of_vector_right`: if Y is within the bound of a true direction, and something is known, then it is true. *)
 From Coq Require Import Reals ZArith QArith Qreals Lra Lia Psatz Bool List.
 From Flocq Require Import Core BinarySingleNaN.
@@ -68,7 +69,8 @@ Lemma in_plane_orthogonal : forall e x, dot (in_plane e x) e = 0.
 Proof.
   intros e x. destruct (Req_dec (dot e e) 0) as [Z|N].
   - apply dot_self_zero in Z. rewrite Z. unfold dot, vzero. cbn. ring.
-  - unfold in_plane. replace (dot (vsub x (vscale (dot x e / dot e e) e)) e) with (dot x e - dot x e / dot e e * dot e e)
+  - unfold in_plane. replace (dot (vsub x (vscale (dot x e / dot e e) e)) e) with (dot x e - dot x e / dot e e * dot e
+    e)
       by (generalize (dot x e / dot e e); clear; intros; vdestruct; vunfold; ring). field. exact N.
 Qed.
 
@@ -124,7 +126,8 @@ Proof.
   assert (E2 : 0 < E * E) by (apply Rmult_lt_0_compat; assumption).
   assert (T3 : tau <= / 10 ^ 80 * (E * E)).
   { eapply Rle_trans; [apply (tau_below (E * E))|].
-    - apply Rle_trans with (/ 10 ^ 26 * / 10 ^ 26); [rewrite <- Rinv_mult, <- pow_add; apply Rinv_le; [apply pow_lt; lra |
+    - apply Rle_trans with (/ 10 ^ 26 * / 10 ^ 26); [rewrite <- Rinv_mult, <- pow_add; apply Rinv_le; [apply pow_lt;
+      lra |
         apply Rle_pow; [lra | lia]]|]. assert (0 < / 10 ^ 26) by (apply Rinv_0_lt_compat, pow_lt; lra).
       apply Rmult_le_compat; lra.
     - apply Rmult_le_compat_r; [lra|]. apply Rinv_le; [apply pow_lt; lra | apply Rle_pow; [lra | lia]]. }
@@ -225,7 +228,8 @@ Proof.
   set (I := in_plane e Y). assert (EI : I = vsub Y (vscale k0 e)) by reflexivity.
   assert (LI : len I <= L) by apply in_plane_len.
   assert (Y1 : len (vsub (vsub Y Q) I) <= 4.55 * u * L).
-  { rewrite EI. replace (vsub (vsub Y Q) (vsub Y (vscale k0 e))) with (vsub (vscale k0 e) Q) by (apply vec_eq; cbn; ring).
+  { rewrite EI. replace (vsub (vsub Y Q) (vsub Y (vscale k0 e))) with (vsub (vscale k0 e) Q) by (apply vec_eq; cbn;
+    ring).
     rewrite len_sub_sym. exact Q2. }
   set (R := projection f Y). assert (FQ : fmt3 Q) by (repeat split; apply fmt_rnd).
   assert (HR := rsub_rounding Y Q FY FQ). change (rsub Y Q) with R in HR.
@@ -240,7 +244,8 @@ Proof.
   assert (HU := rscale_rounding inverse R). change (rscale inverse R) with U in HU. rewrite (Rabs_pos_eq _ i0) in HU.
   assert (iR : inverse * len R <= (1 + 3.6 * u) * (1 + 5.56 * u)).
   { apply Rle_trans with (inverse * (L * (1 + 5.56 * u))); [apply Rmult_le_compat_l; lra|].
-    replace (inverse * (L * (1 + 5.56 * u))) with (inverse * L * (1 + 5.56 * u)) by ring. apply Rmult_le_compat_r; lra. }
+    replace (inverse * (L * (1 + 5.56 * u))) with (inverse * L * (1 + 5.56 * u)) by ring. apply Rmult_le_compat_r; lra.
+      }
   assert (iRI : inverse * len (vsub R I) <= 5.56 * u * (1 + 3.6 * u)).
   { apply Rle_trans with (inverse * (5.56 * u * L)); [apply Rmult_le_compat_l; lra|].
     replace (inverse * (5.56 * u * L)) with (5.56 * u * (inverse * L)) by ring. apply Rmult_le_compat_l; lra. }
@@ -280,7 +285,8 @@ Proof.
     replace (/ 10 ^ 140 * (u * q)) with (u * (/ 10 ^ 140 * q)) by ring. apply Rmult_le_compat_l; [lra|].
     eapply Rle_trans; [exact T1|]. assert (/ 10 ^ 150 * / 10 ^ 139 <= / 10 ^ 140 * (/ 10 ^ 139 * / 2)); [|assert (/ 10 ^
       140 * (/ 10 ^ 139 * / 2) <= / 10 ^ 140 * q) by (apply Rmult_le_compat_l; lra); lra].
-    change (/ 10 ^ 150) with (/ 10 ^ (140 + 10)). rewrite pow_add, Rinv_mult. assert (0 < / 10 ^ 140 * / 10 ^ 139) by (apply Rmult_lt_0_compat; lra).
+    change (/ 10 ^ 150) with (/ 10 ^ (140 + 10)). rewrite pow_add, Rinv_mult. assert (0 < / 10 ^ 140 * / 10 ^ 139) by
+      (apply Rmult_lt_0_compat; lra).
     replace (/ 10 ^ 140 * / 10 ^ 10 * / 10 ^ 139) with (/ 10 ^ 140 * / 10 ^ 139 * / 10 ^ 10) by ring.
     rewrite <- Rmult_assoc. apply Rmult_le_compat_l; lra. }
   assert (q1 : / 10 ^ 139 * (1 - 2 * u) <= q) by (rewrite Hu in *; lra).
@@ -291,24 +297,28 @@ Proof.
   assert (L0 := len_nonneg Y). set (L := len Y) in *.
   assert (Tq : tau <= / 10 ^ 10 * yy).
   { rewrite <- qq. apply Rle_trans with (/ 10 ^ 10 * (/ 10 ^ 139 * / 2 * (/ 10 ^ 139 * / 2))).
-    - eapply Rle_trans; [exact T|]. replace (/ 10 ^ 10 * (/ 10 ^ 139 * / 2 * (/ 10 ^ 139 * / 2))) with (/ 10 ^ 10 * (/ 10
+    - eapply Rle_trans; [exact T|]. replace (/ 10 ^ 10 * (/ 10 ^ 139 * / 2 * (/ 10 ^ 139 * / 2))) with (/ 10 ^ 10 * (/
+      10
         ^ 139 * / 10 ^ 139) * (/ 2 * / 2)) by ring. rewrite <- !Rinv_mult, <- !pow_add.
       apply Rinv_le; [apply Rmult_lt_0_compat; [apply pow_lt; lra | lra]|].
       apply Rle_trans with (10 ^ (10 + (139 + 139)) * 10 ^ 2); [apply Rmult_le_compat_l; [apply pow_le; lra | lra]|].
       rewrite <- pow_add. apply Rle_pow; [lra | lia].
     - apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat; rewrite Hu in *; lra. }
   assert (Y1 : L * L * (1 - 3.0003 * u) <= yy <= L * L * (1 + 3.0003 * u)).
-  { assert (3.0001 * u * (3 * tau) <= / 10 ^ 5 * (u * yy)) by (replace (/ 10 ^ 5 * (u * yy)) with (u * (/ 10 ^ 5 * yy)) by
+  { assert (3.0001 * u * (3 * tau) <= / 10 ^ 5 * (u * yy)) by (replace (/ 10 ^ 5 * (u * yy)) with (u * (/ 10 ^ 5 * yy))
+    by
       ring; replace (3.0001 * u * (3 * tau)) with (u * (9.0003 * tau)) by lra; apply Rmult_le_compat_l; lra).
     assert (0 <= u * (L * L)) by (apply Rmult_le_pos; [lra | apply Rle_0_sqr]). rewrite Hu in *. lra. }
   assert (q2 : q <= L * (1 + 1.51 * u)).
   { apply Rsqr_incr_0_var; [|apply Rmult_le_pos; lra]. unfold Rsqr. rewrite qq.
     eapply Rle_trans; [exact (proj2 Y1)|]. replace (L * (1 + 1.51 * u) * (L * (1 + 1.51 * u))) with
-      (L * L * ((1 + 1.51 * u) * (1 + 1.51 * u))) by ring. apply Rmult_le_compat_l; [apply Rle_0_sqr | rewrite Hu; lra]. }
+      (L * L * ((1 + 1.51 * u) * (1 + 1.51 * u))) by ring. apply Rmult_le_compat_l; [apply Rle_0_sqr | rewrite Hu;
+        lra]. }
   assert (q3 : L * (1 - 1.51 * u) <= q).
   { apply Rsqr_incr_0_var; [|exact q0]. unfold Rsqr. rewrite qq.
     eapply Rle_trans; [|exact (proj1 Y1)]. replace (L * (1 - 1.51 * u) * (L * (1 - 1.51 * u))) with
-      (L * L * ((1 - 1.51 * u) * (1 - 1.51 * u))) by ring. apply Rmult_le_compat_l; [apply Rle_0_sqr | rewrite Hu; lra]. }
+      (L * L * ((1 - 1.51 * u) * (1 - 1.51 * u))) by ring. apply Rmult_le_compat_l; [apply Rle_0_sqr | rewrite Hu;
+        lra]. }
   assert (L1 : / 10 ^ 140 <= L) by (rewrite Hu in *; lra).
   split; [exact L1|].
   assert (uq : u * q <= u * (L * (1 + 1.51 * u))) by (apply Rmult_le_compat_l; lra).
@@ -328,7 +338,8 @@ Proof.
   assert (TL : u * tau * L <= / 10 ^ 50 * u).
   { replace (u * tau * L) with (u * (tau * L)) by ring. replace (/ 10 ^ 50 * u) with (u * / 10 ^ 50) by ring.
     apply Rmult_le_compat_l; [lra|]. apply Rle_trans with (/ 10 ^ 300 * 10 ^ 160); [apply Rmult_le_compat; lra|].
-    change (/ 10 ^ 300) with (/ 10 ^ (140 + 160)). rewrite pow_add, Rinv_mult, Rmult_assoc, Rinv_l, Rmult_1_r by (apply pow_nonzero; lra).
+    change (/ 10 ^ 300) with (/ 10 ^ (140 + 160)). rewrite pow_add, Rinv_mult, Rmult_assoc, Rinv_l, Rmult_1_r by (apply
+      pow_nonzero; lra).
     apply Rinv_le; [apply pow_lt; lra | apply Rle_pow; [lra | lia]]. }
   assert (I1 : (1 / s - u * (1 / s) - u * tau) * L <= i * L) by (apply Rmult_le_compat_r; lra).
   assert (I2 : i * L <= (1 / s + u * (1 / s) + u * tau) * L) by (apply Rmult_le_compat_r; lra).

@@ -4,7 +4,8 @@
    of U in the plane. *)
 From Coq Require Import Reals ZArith QArith Qreals Lra Lia Psatz Bool.
 From Flocq Require Import Core BinarySingleNaN.
-From Flowcert Require Import algebra.Vector3 code.Expression code.generated.Constants filters.Rounding filters.RoundedVectors filters.Norms
+From Flowcert Require Import algebra.Vector3 code.Expression code.generated.Constants filters.Rounding
+  filters.RoundedVectors filters.Norms
   filters.Floors filters.Doubles filters.Terms filters.Filter.
 Open Scope R_scope.
 
@@ -267,7 +268,8 @@ Proof.
     unfold c in *. rewrite Hu in *. lra. }
   assert (R0 : 0 <= sqrt S) by apply sqrt_pos.
   generalize (rnd_any (sqrt S)). rewrite (Rabs_pos_eq _ R0). intro R. apply Rabs_le_inv in R.
-  assert (R2 : L * (1 - c * u) * (1 - u) <= sqrt S * (1 - u)) by (apply Rmult_le_compat_r; [rewrite Hu; lra | exact R1]).
+  assert (R2 : L * (1 - c * u) * (1 - u) <= sqrt S * (1 - u)) by (apply Rmult_le_compat_r; [rewrite Hu; lra | exact
+    R1]).
   assert (T4 : u * tau <= / 1000 * u * L).
   { assert (tau <= / 10 ^ 150 * L) by (apply tau_below; lra). rewrite Hu in *. lra. }
   assert (c * u * L <= 3.51 * u * L) by (apply Rmult_le_compat_r; [lra | apply Rmult_le_compat_r; lra]).
