@@ -227,8 +227,6 @@ Proof.
 Qed.
 Lemma dist2_refl : forall x, dist2 x x = 0.
 Proof. intro x. vdestruct; vunfold; ring. Qed.
-Lemma dist2_sym : forall x y, dist2 x y = dist2 y x.
-Proof. intros. vdestruct; vunfold; ring. Qed.
 
 Lemma total_filter : forall u (f : vec -> bool) g, (forall v, In v u -> f v = false -> g v = 0) ->
   total (filter f u) g = total u g.
