@@ -159,7 +159,7 @@ Record good_start : Prop := GoodStart {
   edge_is_near : (forall i, (i < 3)%nat -> finite (x (3 + i)%nat)) -> len (vsub f e) <= u * len e;
   bound_is_positive : not_negative (x 6%nat);
   start_is_near : finite (x 6%nat) -> (forall i, (i < 3)%nat -> finite (x i)) ->
-    len (vsub Y y) + 8 * u * len Y <= b /\ 20 * u * len Y <= b /\ / 10 ^ 135 <= b }.
+    len (vsub Y y) + 8 * u * len Y <= b /\ 20 * u * len Y <= b /\ / 10 ^ 140 <= b }.
 
 Lemma edge_range : square_in_range x (square 1) -> len (vsub f e) <= u * len e ->
   val (on_doubles x (square 1)) = rdot f f -> / 10 ^ 26 <= len e <= 10 ^ 26.
@@ -226,7 +226,7 @@ Proof.
   rewrite Er3 in Er, Nr.
   destruct (Start Fb Fy) as [B1 [B2 B3]].
   set (i := val (on_doubles x inverse_length)) in *. set (s := val (on_doubles x sine)) in *.
-  assert (P135 : 0 < / 10 ^ 135) by (apply Rinv_0_lt_compat, pow_lt; lra).
+  assert (P140 : 0 < / 10 ^ 140) by (apply Rinv_0_lt_compat, pow_lt; lra).
   assert (bi0 : 0 < b * i) by (apply Rmult_lt_0_compat; lra).
   assert (Rs := rnd_any (b * i)). rewrite <- Es, (Rabs_pos_eq (b * i)) in Rs by lra. apply Rabs_le_inv in Rs.
   assert (S0 : 0 < rlength Y).
@@ -236,18 +236,19 @@ Proof.
   { assert (Ri := rnd_any (1 / rlength Y)). rewrite <- Er, (Rabs_pos_eq (1 / rlength Y)) in Ri
       by (apply Rlt_le, Rdiv_lt_0_compat; lra). apply Rabs_le_inv in Ri.
     assert (bi : b * i <= 0.07) by (rewrite Hu in *; lra).
-    assert (ib : i <= 0.07 * 10 ^ 135).
+    assert (ib : i <= 0.07 * 10 ^ 140).
     { apply Rmult_le_reg_l with b; [lra|]. eapply Rle_trans; [exact bi|].
-      replace 0.07 with (/ 10 ^ 135 * (0.07 * 10 ^ 135)) at 1 by (field; apply pow_nonzero; lra).
+      replace 0.07 with (/ 10 ^ 140 * (0.07 * 10 ^ 140)) at 1 by (field; apply pow_nonzero; lra).
       apply Rmult_le_compat_r; [|exact B3]. apply Rmult_le_pos; [lra | apply pow_le; lra]. }
-    assert (one135 : 1 <= 10 ^ 135) by (apply pow_R1_Rle; lra).
-    assert (si : 1 / rlength Y <= 10 ^ 135).
+    assert (one140 : 1 <= 10 ^ 140) by (apply pow_R1_Rle; lra).
+    assert (si : 1 / rlength Y <= 0.08 * 10 ^ 140).
     { apply Rmult_le_reg_r with (1 - u); [rewrite Hu; lra|]. rewrite Hu in *. lra. }
-    assert (S1 : 1 <= 10 ^ 135 * rlength Y).
+    assert (S1 : 1 <= 0.08 * 10 ^ 140 * rlength Y).
     { replace 1 with (1 / rlength Y * rlength Y) at 1 by (field; lra). apply Rmult_le_compat_r; lra. }
-    apply Rmult_le_reg_l with (10 ^ 135); [lra|]. eapply Rle_trans; [|exact S1].
-    apply Rle_trans with (10 ^ 135 * / 10 ^ 135); [apply Rmult_le_compat_l; [lra|]; apply Rinv_le; [lra | apply
-      Rle_pow; [lra | lia]] | rewrite Rinv_r; lra]. }
+    apply Rmult_le_reg_l with (0.08 * 10 ^ 140); [lra|]. eapply Rle_trans; [|exact S1].
+    change 140%nat with (139 + 1)%nat. rewrite pow_add. simpl (10 ^ 1).
+    assert (I : 10 ^ 139 * / 10 ^ 139 = 1) by (apply Rinv_r, pow_nonzero; lra). revert I.
+    generalize (10 ^ 139) (/ 10 ^ 139). intros j k I. apply Rle_trans with (0.8 * (j * k)); [lra | rewrite I; lra]. }
   assert (HighY : len Y <= 10 ^ 160).
   { assert (D := rdot_rounding Y Y Yfmt Yfmt). rewrite <- len_sq, <- Ey2 in D. apply Rabs_le_inv in D.
     assert (Top : val (on_doubles x (square 0)) < bpow radix2 1024)
