@@ -41,7 +41,7 @@ ARROWS = {
     "tests": ["src/certify"],
     "tests/vectors": ["tests", "fuzz/inputs", "oracle/program"],
     "tests/conformance": ["tests", "tests/vectors", "src/certify"],
-    "tests/proofs": ["src/geometry"],
+    "tests/proofs": ["src/flow"],
     "tests/property": ["tests", "fuzz/campaign", "fuzz/judge", "src/certify"],
     "tests/hostile": ["tests"],
     "tests/unit": ["tests/property", "tests/vectors", "fuzz/campaign", "fuzz/judge", "src/cli"],
