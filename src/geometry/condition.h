@@ -10,7 +10,7 @@ namespace flowcert::geometry {
 [[nodiscard, gnu::always_inline]] inline double select(int is_true, double yes, double no) {
   return is_true != 0 ? yes : no;
 }
-// Of longer floating-point types.
+// Longer floating-point types are chosen from in the same way.
 template <class Number>
 [[nodiscard]] Number select(int is_true, const Number& yes, const Number& no) {
   return is_true != 0 ? yes : no;

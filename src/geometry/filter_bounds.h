@@ -7,7 +7,7 @@
 //
 // u = 2^-53. A difference of coordinates, a product and a sum each add one relative error of at most u. With a, b, …
 // the computed vectors and |a| their norms, a dot product is wrong by 5 u |a||b| at most, and a cross product by
-// (2 + 3.4143) u |a||b|, because the sum of its absolute products is at most sqrt(2) |a||b|.
+// (2 + 2.4143) u |a||b|, because the sum of its absolute products is at most sqrt(2) |a||b|.
 // That holds while nothing overflows and underflow is negligible. It is checked once for each set of vectors: if a
 // norm lies outside [kSmallestNorm, kLargestNorm], the filter answers nothing.
 #pragma once

@@ -44,8 +44,8 @@ inline constexpr double kAreaBound = 6;          // |a x b|, times |a||b|: 5.7
 
 // ---- Constants of the bounds that are numbers ----
 
-// Of the square of a length in doubles. All terms of degree 10 in such lengths are normal doubles, and so are their
-// errors.
+// The square of a length in doubles lies between these. Then all terms of degree 10 in such lengths are normal doubles,
+// and so are their errors.
 inline constexpr double kSmallestSquare = 1e-50;
 inline constexpr double kLargestSquare = 1e50;
 // An error that is this large is not known to be small. The two rules below need no more than this.
