@@ -104,7 +104,7 @@ Number vertex_error(const std::array<const Point*, 4>& v, FacetEdge facet) {
   const Number na = root<Number>(squared(a)), nb = root<Number>(squared(b)), nc = root<Number>(squared(c));
   const Number sum = na + nb + nc, other = root<Number>(squared(w0)) + root<Number>(squared(w1));
   const RationalVector y = sphere.numerator + sphere.determinant * (w0 + w1);
-  return Number(Precision<Number>::kRoundoff) * na * nb * nc * (Number(22.8) * sum + Number(21.8) * other) /
+  return Number(Precision<Number>::kRoundoff) * na * nb * nc * (Number(21.42) * sum + Number(20.42) * other) /
          root<Number>(squared(y));
 }
 template <class Number>
@@ -114,7 +114,8 @@ Number circle_error(const std::array<const Point*, 3>& v, FacetEdge facet) {
   const Rational aa = squared(a), bb = squared(b);
   const RationalVector y = squared(n) * (w0 + w1) + cross(aa * b - bb * a, n);
   const Number sizes = root<Number>(aa) + root<Number>(bb) + root<Number>(squared(w0)) + root<Number>(squared(w1));
-  return Number(29 * Precision<Number>::kRoundoff) * rounded_number<Number>(aa * bb) * sizes / root<Number>(squared(y));
+  return Number(23.84 * Precision<Number>::kRoundoff) * rounded_number<Number>(aa * bb) * sizes /
+         root<Number>(squared(y));
 }
 template <class Number>
 Number side_error(const Point& c, FacetEdge facet) {

@@ -19,7 +19,7 @@ Definition sign := If Less (Var 21) (Cst 1 0) (If LessEqual (Cst 842498333348457
 End Approach.
 
 Module Order.
-Definition x0 := Add (Mul (Cst 1 (-2)) (Var 21)) (Cst 1 (-50)).
+Definition x0 := Add (Mul (Cst 1 (-2)) (Var 21)) (Cst 7 (-53)).
 Definition x1 := Sub (Var 6) (Var 0).
 Definition x2 := Sub (Var 7) (Var 1).
 Definition x3 := Sub (Var 8) (Var 2).
@@ -55,7 +55,7 @@ Definition x4 := Sub (Var 12) (Var 6).
 Definition x5 := Sub (Var 13) (Var 7).
 Definition x6 := Sub (Var 14) (Var 8).
 Definition x7 := Add (Add (Mul x4 x4) (Mul x5 x5)) (Mul x6 x6).
-Definition x8 := Mul (Mul (Add (Var 21) (Cst 3 (-50))) (Root x3)) (Root x7).
+Definition x8 := Mul (Mul (Add (Var 21) (Cst 23 (-53))) (Root x3)) (Root x7).
 Definition x9 := Add (Add (Mul (Var 18) (Sub (Mul x1 x6) (Mul x2 x5))) (Mul (Var 19) (Sub (Mul x2 x4) (Mul x0 x6))))
   (Mul (Var 20) (Sub (Mul x0 x5) (Mul x1 x4))).
 Definition sign := If Less (Var 21) (Cst 1 0) (If LessEqual (Cst 8424983333484575 (-219)) x3 (If LessEqual x3 (Cst
@@ -117,8 +117,8 @@ Definition x29 := Div (Add (Add (Mul x18 x26) (Mul x21 x27)) (Mul x24 x28)) (Add
 Definition x30 := Root x3.
 Definition x31 := Root x10.
 Definition x32 := Root x12.
-Definition x33 := Mul (Mul (Mul (Cst 3 (-50)) (Mul (Mul x30 x31) x32)) (Add (Add (Add (Add x30 x31) x32) (Root (Add (Add
-  (Mul x16 x16) (Mul x19 x19)) (Mul x22 x22)))) (Root (Add (Add (Mul x17 x17) (Mul x20 x20)) (Mul x23 x23))))) x25.
+Definition x33 := Mul (Mul (Mul (Cst 11 (-52)) (Mul (Mul x30 x31) x32)) (Add (Add (Add (Add x30 x31) x32) (Root (Add
+  (Add (Mul x16 x16) (Mul x19 x19)) (Mul x22 x22)))) (Root (Add (Add (Mul x17 x17) (Mul x20 x20)) (Mul x23 x23))))) x25.
 Definition u_x := Mul x25 (Sub x18 (Mul x29 x26)).
 Definition u_y := Mul x25 (Sub x21 (Mul x29 x27)).
 Definition u_z := Mul x25 (Sub x24 (Mul x29 x28)).
@@ -200,7 +200,7 @@ Definition x26 := Sub (Var 4) (Var 1).
 Definition x27 := Sub (Var 5) (Var 2).
 Definition x28 := Div (Add (Add (Mul x16 x25) (Mul x20 x26)) (Mul x23 x27)) (Add (Add (Mul x25 x25) (Mul x26 x26)) (Mul
   x27 x27)).
-Definition x29 := Mul (Mul (Mul (Mul (Cst 1 (-48)) x12) x13) (Add (Add (Add (Root x12) (Root x13)) (Root (Add (Add (Mul
+Definition x29 := Mul (Mul (Mul (Mul (Cst 3 (-50)) x12) x13) (Add (Add (Add (Root x12) (Root x13)) (Root (Add (Add (Mul
   x10 x10) (Mul x17 x17)) (Mul x21 x21)))) (Root (Add (Add (Mul x11 x11) (Mul x18 x18)) (Mul x22 x22))))) x24.
 Definition u_x := Mul x24 (Sub x16 (Mul x28 x25)).
 Definition u_y := Mul x24 (Sub x20 (Mul x28 x26)).
