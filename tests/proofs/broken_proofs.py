@@ -64,8 +64,8 @@ def changes():
 
 def print_terms(tree, compiler, folder):
     program = tree / "terms"
-    sources = [str(tree / "tests" / "proofs" / name) for name in ("coq_module.cpp", "make_terms.cpp")]
-    folders = [f"-I{tree}{part}" for part in ("", "/src", "/src/geometry/include")]
+    sources = sorted(str(path) for path in (tree / "tests" / "proofs").glob("*.cpp"))
+    folders = [f"-I{tree}{part}" for part in ("", "/src", "/src/geometry/include", "/src/flow/include")]
     options = ["-std=c++20", "-O0", *folders, "-o", str(program), "-lfmt", "-lgmp"]
     subprocess.run([compiler, *sources, *options], check=True)
     subprocess.run([str(program), str(folder)], check=True)
