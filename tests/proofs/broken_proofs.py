@@ -85,13 +85,13 @@ def changed_terms(tree, compiler, folder):
 
 
 def still_compiles(tree, compiler, compiled, proof):
-    """Whether a file of proofs compiles with the terms of this tree."""
+    """Whether the proofs of a file hold with the terms of this tree (.vok). Other files' proofs are not tried."""
     with tempfile.TemporaryDirectory() as made:
         folder = pathlib.Path(made) / "proofs"
         subprocess.run(["cp", "-a", str(compiled), str(folder)], check=True)  # with the times of its files
         if not changed_terms(tree, compiler, folder):
             return True
-        return subprocess.run(["make", proof + "o"], cwd=folder, capture_output=True).returncode == 0
+        return subprocess.run(["make", proof + "ok"], cwd=folder, capture_output=True).returncode == 0
 
 
 def main():
