@@ -2,8 +2,9 @@
 """Proofs fail where the code would be wrong: broken_proofs.py COMPILED COMPILER [NAME…]
 
 COMPILED is a folder in which the proofs were compiled (check_proofs.py leaves build/proofs). Each change below is made
-to a copy of src/, with 1 % beyond what is proved for a constant. The terms are printed anew from that copy, and one
-file of proofs is compiled with those that differ, which has to fail. Without a change none of them may differ.
+to a copy of src/, and so is one of each proved constant to 1 % beyond what its proof needs. The terms are printed anew
+from that copy, and one file of proofs is compiled with those that differ, which has to fail. Without a change none of
+them may differ.
 Exit status: 0; 1 where a proof still compiles.
 """
 import pathlib
@@ -14,28 +15,46 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-BOUNDS = "src/geometry/filter_bounds.h"
+BOUNDS, GRID = "src/geometry/filter_bounds.h", "src/geometry/integer_grid.h"
 PREDICATES, VECTORS = "src/geometry/predicates.h", "src/geometry/vector3.h"
 FORMS, DISTANCES = "src/geometry/tetrahedron_forms.h", "src/geometry/distance_filter.h"
+DOUBLED = "src/geometry/double_double.h"
+DIRECTIONS, DIRECTION_BOUNDS = "src/flow/kernels/direction.h", "src/flow/kernels/direction_bounds.h"
 
-# NAME: what the proof needs, the value 1 % beyond that, and the file that fails.
+# NAME: the file, what the proof needs, the value 1 % beyond that (of bits, one more), and the file that fails.
 CONSTANTS = {
-    "kUnitRoundoff": ("0x1p-53", "0.99 * 0x1p-53", "filters/Predicates.v"),
-    "kSmallestNorm": ("1e-42", "0.99e-42", "filters/Predicates.v"),
-    "kLargestNorm": ("1.001e42", "1.012e42", "filters/Predicates.v"),
-    "kAngleBound": ("5.001", "4.951", "filters/Predicates.v"),
-    "kOrientationBound": ("8.415", "8.331", "filters/Predicates.v"),
-    "kSideOfPlaneBound": ("19.829", "19.631", "filters/Predicates.v"),
-    "kOutsideSphereBound": ("17.415", "17.241", "filters/Predicates.v"),
-    "kOutsideCircleBound": ("22.829", "22.601", "filters/Predicates.v"),
-    "kCellAngleBound": ("28.001", "27.721", "filters/Cells.v"),
-    "kCellSideBound": ("19.829", "19.631", "filters/Cells.v"),
-    "kFarCellSideBound": ("27.902", "27.623", "filters/Cells.v"),
-    "kExactReach": ("305", "309", "filters/Exact.v"),
-    "kDistanceBound": ("10.04", "9.94", "filters/Distances.v"),
-    "kPositionBound": ("3.465", "3.43", "filters/Distances.v"),
-    "kDistanceUnderflow": ("4e-150", "3.96e-150", "filters/Distances.v"),
-    "kLargestDistance": ("2e151", "2.02e151", "filters/Distances.v"),
+    "kUnitRoundoff": (BOUNDS, "0x1p-53", "0.99 * 0x1p-53", "filters/Predicates.v"),
+    "kSmallestNorm": (BOUNDS, "1e-42", "0.99e-42", "filters/Predicates.v"),
+    "kLargestNorm": (BOUNDS, "1.001e42", "1.012e42", "filters/Predicates.v"),
+    "kAngleBound": (BOUNDS, "5.001", "4.951", "filters/Predicates.v"),
+    "kOrientationBound": (BOUNDS, "8.415", "8.331", "filters/Predicates.v"),
+    "kSideOfPlaneBound": (BOUNDS, "19.829", "19.631", "filters/Predicates.v"),
+    "kOutsideSphereBound": (BOUNDS, "17.415", "17.241", "filters/Predicates.v"),
+    "kOutsideCircleBound": (BOUNDS, "22.829", "22.601", "filters/Predicates.v"),
+    "kCellAngleBound": (BOUNDS, "28.001", "27.721", "filters/Cells.v"),
+    "kCellSideBound": (BOUNDS, "19.829", "19.631", "filters/Cells.v"),
+    "kFarCellSideBound": (BOUNDS, "27.902", "27.623", "filters/Cells.v"),
+    "kExactReach": (BOUNDS, "305", "309", "filters/Exact.v"),
+    "kDistanceBound": (BOUNDS, "10.04", "9.94", "filters/Distances.v"),
+    "kPositionBound": (BOUNDS, "3.465", "3.43", "filters/Distances.v"),
+    "kDistanceUnderflow": (BOUNDS, "4e-150", "3.96e-150", "filters/Distances.v"),
+    "kLargestDistance": (BOUNDS, "2e151", "2.02e151", "filters/Distances.v"),
+    "kSmallBits": (GRID, "18", "19", "widths/Widths.v"),
+    "kNarrowBits": (GRID, "61", "62", "widths/Widths.v"),
+    "kWideBits": (GRID, "83", "84", "widths/Widths.v"),
+    "kRoundoff": (DOUBLED, "15 * 0x1p-106", "14.85 * 0x1p-106", "filters/DoubleDouble.v"),
+    "kSmallestSquare": (DIRECTION_BOUNDS, "0.999e-50", "0.989e-50", "filters/Directions.v"),
+    "kLargestSquare": (DIRECTION_BOUNDS, "1.001e50", "1.012e50", "filters/Directions.v"),
+    "kExitBound": (DIRECTION_BOUNDS, "19.17", "18.978", "filters/DirectionSigns.v"),
+    "kNormalBound": (DIRECTION_BOUNDS, "22.06", "21.839", "filters/DirectionSigns.v"),
+    "kOrderBound": (DIRECTION_BOUNDS, "6.86", "6.791", "filters/DirectionOrder.v"),
+    "kOrderTurn": (DIRECTION_BOUNDS, "0.25", "0.2475", "filters/DirectionOrder.v"),
+    "kLargestError": (DIRECTION_BOUNDS, "0.0625", "0.0632", "filters/DirectionOfVector.v"),
+    "kTangentOfSine": (DIRECTION_BOUNDS, "2", "1.98", "filters/DirectionOfVector.v"),
+    "kVertexStartBound": (DIRECTION_BOUNDS, "21.5", "21.285", "filters/DirectionAtVertex.v"),
+    "kSideStartBound": (DIRECTION_BOUNDS, "23.01", "22.779", "filters/DirectionAtSide.v"),
+    "kAngleFormBound": (DIRECTION_BOUNDS, "1.3", "1.287", "filters/DirectionAtSide.v"),
+    "kCircleStartBound": (DIRECTION_BOUNDS, "24", "23.76", "filters/DirectionOnCircle.v"),
 }
 # NAME: the file, what is in it, what stands there instead, and the file that fails.
 CHANGES = {
@@ -52,12 +71,37 @@ CHANGES = {
     "an angle of a cell (also in lanes)": (FORMS, "(bc - ab) + (aa - ca)", "(bc - ab) - (aa - ca)", "filters/Cells.v"),
     "a sample's range (also in lanes)": (FORMS, "sphere.in_range & condition(norm >= kSmallestNorm)",
                                          "condition(norm >= kSmallestNorm)", "filters/Spheres.v"),
+    "a sign of the error of a sum": (DOUBLED, "(a - (s - t)) + (b - t)", "(a - (s - t)) - (b - t)",
+                                     "filters/DoubleDouble.v"),
+    "a sign of the error of a product": (DOUBLED, "al * bh) + al * bl", "al * bh) - al * bl", "filters/DoubleDouble.v"),
+    "a term of a product of doubled doubles": (DOUBLED, "(x.high_ * y.low_ + x.low_ * y.high_)", "x.high_ * y.low_",
+                                               "filters/DoubleDouble.v"),
+    "a sign of the order of exits (also in lanes)": (DIRECTIONS, "dot(x.u, i.g) - i.h", "dot(x.u, i.g) + i.h",
+                                                     "filters/DirectionOrder.v"),
+    "a factor of its bound (also in lanes)": (DIRECTIONS, "return Number(2) * part * part", "return part * part",
+                                              "filters/DirectionOrder.v"),
+    "an order of factors of its bound (also in lanes)": (
+        DIRECTIONS, "factor * (i.squared_size * j.squared_size * (i.squared_size + j.squared_size))",
+        "factor * i.squared_size * j.squared_size * (i.squared_size + j.squared_size)", "filters/DirectionOrder.v"),
+    "a factor of the size of a bisector (also in lanes)": (
+        DIRECTIONS, "Number(2) * (dot(a, a) + dot(b, b))", "(dot(a, a) + dot(b, b))", "filters/DirectionSigns.v"),
+    "the roundoff of directions": (DIRECTION_BOUNDS, "kRoundoff = 0x1p-53;", "kRoundoff = 0.99 * 0x1p-53;",
+                                   "filters/DirectionSigns.v"),
+    "a sign of the projection": (DIRECTIONS, "(y - Number(dot(y, e) / ee) * e)", "(y + Number(dot(y, e) / ee) * e)",
+                                 "filters/DirectionOfVector.v"),
+    "a length that the bound of a vertex has": (DIRECTIONS, "(na + nb + nc + length(w0) + length(w1))",
+                                                "(na + nb + nc + length(w0))", "filters/DirectionStarts.v"),
+    "the side of a circle's centre": (DIRECTIONS, "Number(1), Number(-1))", "Number(-1), Number(1))",
+                                      "filters/DirectionAtSide.v"),
+    "a range that a start at a circle needs": (
+        DIRECTIONS, "Precision<Number>::is_in_range(aa) & Precision<Number>::is_in_range(bb)",
+        "Precision<Number>::is_in_range(aa)", "filters/DirectionOnCircle.v"),
 }
 
 
 def changes():
-    for name, (needed, beyond, proof) in CONSTANTS.items():
-        yield f"{name}: {beyond} instead of {needed}", BOUNDS, rf"\b{name} = [^;]*;", f"{name} = {beyond};", proof
+    for name, (path, needed, beyond, proof) in CONSTANTS.items():
+        yield f"{name}: {beyond} instead of {needed}", path, rf"\b{name} = [^;]*;", f"{name} = {beyond};", proof
     for name, (path, old, new, proof) in CHANGES.items():
         yield name, path, re.escape(old), new.replace("\\", r"\\"), proof
 
