@@ -148,6 +148,118 @@ Qed.
 
 Definition results := (Code.OfVector.u_x :: Code.OfVector.u_y :: Code.OfVector.u_z :: Code.OfVector.error :: nil)%list.
 
+(* A vector whose computed square is no larger than all doubles. *)
+Lemma length_below : forall (s : double) Y, fmt3 Y -> val s = rdot Y Y -> len Y <= 10 ^ 160.
+Proof.
+  intros s Y F E. generalize u_pos u_val tau_pos tau_small. intros U0 Hu T0 Tau.
+  assert (D := rdot_rounding Y Y F F). rewrite <- len_sq, <- E in D. apply Rabs_le_inv in D.
+  assert (Top : val s < bpow radix2 1024) by (eapply Rle_lt_trans; [apply Rle_abs | apply (abs_B2R_lt_emax 53 1024)]).
+  apply Rnot_lt_le. intro N. assert (N2 : 10 ^ 160 * 10 ^ 160 <= len Y * len Y).
+  { assert (0 <= 10 ^ 160) by (apply pow_le; lra). apply Rmult_le_compat; lra. }
+  assert (P : bpow radix2 1024 * 2 <= 10 ^ 160 * 10 ^ 160).
+  { change (bpow radix2 1024) with (IZR (2 ^ 1024)). rewrite pow_IZR, <- !mult_IZR. apply IZR_le. apply Z.leb_le.
+    vm_compute. reflexivity. }
+  assert (T3 : 3.0001 * u * (3 * tau) <= 1).
+  { assert (tau <= 1) by (eapply Rle_trans; [exact Tau|]; rewrite <- Rinv_1; apply Rinv_le; [lra | apply pow_R1_Rle;
+      lra]). rewrite Hu. lra. }
+  assert (2 <= bpow radix2 1024) by (change 2 with (bpow radix2 1); apply bpow_le; lia).
+  rewrite Hu in *. lra.
+Qed.
+
+(* The coordinates of a vector that is projected and multiplied by a double i, the inverse of its length, or less than
+   zero. *)
+Lemma shortened_on_doubles : forall e (x : nat -> double) (factor : double) i,
+  let Y := value_of_vector (fun n => val (x n)) 0 in let f := value_of_vector (fun n => val (x n)) 1 in
+  (forall j, (j < 3)%nat -> finite (x j)) -> (forall j, (j < 3)%nat -> finite (x (3 + j)%nat)) ->
+  finite (on_doubles x (square 1)) -> len (vsub f e) <= u * len e -> / 10 ^ 26 <= len e <= 10 ^ 26 ->
+  / 10 ^ 140 <= len Y <= 10 ^ 160 -> 1 - 3.6 * u <= i * len Y <= 1 + 3.6 * u ->
+  Rabs (dot Y e) <= len Y * len e / 15 -> finite factor -> Rabs (val factor) = i ->
+  let part j := Bmult mode_NE factor (on_doubles x (Sub (Var j) (Mul along_edge (Var (3 + j))))) in
+  (forall j, (j < 3)%nat -> finite (part j)) /\
+  V (val (part 0%nat)) (val (part 1%nat)) (val (part 2%nat)) = shortened (val factor) f Y.
+Proof.
+  intros e x factor i Y f Fy Ff Fee Near Edge [LowY HighY] Unit Flat Fi Ei part. generalize u_pos u_val. intros U0 Hu.
+  assert (Ffmt : fmt3 f) by (repeat split; apply fmt_val). assert (Yfmt : fmt3 Y) by (repeat split; apply fmt_val).
+  destruct (square_back x 1 Fee) as [_ Eee]. fold f in Eee.
+  assert (Pi : 0 <= i) by (rewrite <- Ei; apply Rabs_pos).
+  destruct (factor_of_projection e f Y i Ffmt Yfmt Near Edge LowY Flat Unit) as [_ [_ [ee0 Q]]].
+  destruct (shortened_right e f Y i Ffmt Yfmt Near Edge LowY Flat Unit) as [_ [_ Fit]].
+  assert (P532 : 10 ^ 160 <= bpow radix2 532) by (change (bpow radix2 532) with (IZR (2 ^ 532)); rewrite pow_IZR; apply
+    IZR_le, Z.leb_le; vm_compute; reflexivity).
+  assert (P88 : 10 ^ 26 * 2 <= bpow radix2 88) by (change (bpow radix2 88) with (IZR (2 ^ 88)); rewrite pow_IZR, <-
+    mult_IZR; apply IZR_le, Z.leb_le; vm_compute; reflexivity).
+  assert (P619 : 10 ^ 160 * 10 ^ 26 <= bpow radix2 619) by (change (bpow radix2 619) with (IZR (2 ^ 619)); rewrite
+    !pow_IZR, <- mult_IZR; apply IZR_le, Z.leb_le; vm_compute; reflexivity).
+  assert (Lf : len f <= bpow radix2 88).
+  { eapply Rle_trans; [|exact P88]. eapply Rle_trans; [apply (len_from f e)|]. rewrite Hu in *. lra. }
+  assert (CY : forall j, (j < 3)%nat -> Rabs (val (x j)) <= bpow radix2 532).
+  { destruct (coordinate_bound Y _ (Rle_trans _ _ _ HighY P532)) as [C0 [C1 C2]].
+    intros [|[|[|j]]] Hj; [exact C0 | exact C1 | exact C2 | lia]. }
+  assert (Cf : forall j, (j < 3)%nat -> Rabs (val (x (3 + j)%nat)) <= bpow radix2 88).
+  { destruct (coordinate_bound f _ Lf) as [C0 [C1 C2]].
+    intros [|[|[|j]]] Hj; [exact C0 | exact C1 | exact C2 | lia]. }
+  destruct (forward x (fun n => if (n <? 3)%nat then 532 else if (n <? 6)%nat then 88 else 5000)%Z
+    (edot (given 0) (given 1)) 622) as [Fd [Ed _]].
+  { intros n Hn. destruct (Nat.ltb_spec n 3); [split; [apply Fy | apply CY]; assumption|].
+    destruct (Nat.ltb_spec n 6); [|discriminate Hn]. replace n with (3 + (n - 3))%nat by lia.
+    split; [apply Ff | apply Cf]; lia. }
+  { vm_compute. reflexivity. }
+  assert (Ed' : val (on_doubles x (edot (given 0) (given 1))) = rdot Y f) by exact Ed. clear Ed.
+  cbv zeta in Eee.
+  assert (E0 : 0 < len e) by (assert (0 < / 10 ^ 26) by (apply Rinv_0_lt_compat, pow_lt; lra); lra).
+  assert (Big : Rabs (rdot Y f / rdot f f) <= bpow radix2 619).
+  { eapply Rle_trans; [exact Q|]. eapply Rle_trans; [|exact P619]. unfold Rdiv. apply Rmult_le_compat; try lra.
+    - left. apply Rinv_0_lt_compat, E0.
+    - rewrite <- (Rinv_inv (10 ^ 26)). apply Rinv_le; [apply Rinv_0_lt_compat, pow_lt;
+        lra | lra]. }
+  assert (Wide : bpow radix2 619 <= bpow radix2 1000) by (apply bpow_le; lia).
+  destruct (div_forward (on_doubles x (edot (given 0) (given 1))) (on_doubles x (square 1)) Fd Fee) as [Fk Ek].
+  { rewrite Eee. lra. }
+  { rewrite Ed', Eee. lra. }
+  rewrite Ed', Eee in Ek.
+  change (Bdiv mode_NE (on_doubles x (edot (given 0) (given 1))) (on_doubles x (square 1))) with (on_doubles x
+    along_edge) in Fk, Ek.
+  assert (Bk : Rabs (val (on_doubles x along_edge)) <= bpow radix2 619) by (rewrite Ek; apply rnd_power; [lia | exact
+    Big]).
+  assert (Part : forall j, (j < 3)%nat -> let r := on_doubles x (Sub (Var j) (Mul along_edge (Var (3 + j)))) in finite r
+    /\ val r = rnd (val (x j) - rnd (val (on_doubles x along_edge) * val (x (3 + j)%nat)))).
+  { intros j Hj r. assert (Cj := Cf j Hj). assert (Yj := CY j Hj).
+    assert (M : Rabs (val (on_doubles x along_edge) * val (x (3 + j)%nat)) <= bpow radix2 707).
+    { rewrite Rabs_mult. change 707%Z with (619 + 88)%Z. rewrite bpow_plus. apply Rmult_le_compat; auto using Rabs_pos.
+      }
+    destruct (mul_forward (on_doubles x along_edge) (x (3 + j)%nat) Fk (Ff j Hj)) as [Fm Em].
+    { eapply Rle_trans; [exact M | apply bpow_le; lia]. }
+    destruct (sub_forward (x j) (Bmult mode_NE (on_doubles x along_edge) (x (3 + j)%nat)) (Fy j Hj) Fm) as [Fr2 Er2].
+    { rewrite Em. assert (Rm := rnd_power _ 707 ltac:(lia) M). unfold Rminus. eapply Rle_trans; [apply Rabs_triang|].
+      rewrite Rabs_Ropp. apply Rle_trans with (bpow radix2 707 * 2).
+      - assert (bpow radix2 532 <= bpow radix2 707) by (apply bpow_le; lia). lra.
+      - change 2 with (bpow radix2 1). rewrite <- bpow_plus. apply bpow_le. lia. }
+    split; [exact Fr2|]. rewrite Em in Er2. exact Er2. }
+  set (parts j := Sub (Var j) (Mul along_edge (Var (3 + j)))) in *.
+  assert (Proj : projection f Y = V (val (on_doubles x (parts 0%nat))) (val (on_doubles x (parts 1%nat))) (val
+    (on_doubles
+    x (parts 2%nat)))).
+  { destruct (Part 0%nat ltac:(lia)) as [_ V0]. destruct (Part 1%nat ltac:(lia)) as [_ V1]. destruct (Part 2%nat
+      ltac:(lia)) as [_ V2]. change (Sub (Var 0) (Mul along_edge (Var (3 + 0)))) with (parts 0%nat) in V0.
+    change (Sub (Var 1) (Mul along_edge (Var (3 + 1)))) with (parts 1%nat) in V1.
+    change (Sub (Var 2) (Mul along_edge (Var (3 + 2)))) with (parts 2%nat) in V2.
+    rewrite V0, V1, V2, Ek. reflexivity. }
+  assert (Coord : forall j, (j < 3)%nat -> finite (part j) /\
+    val (part j) = rnd (val factor * val (on_doubles x (parts j)))).
+  { intros j Hj. destruct (Part j Hj) as [Fj _].
+    apply (mul_forward factor (on_doubles x (parts j)) Fi Fj).
+    rewrite Rabs_mult, Ei. apply Rle_trans with 2.
+    - apply Rle_trans with (i * len (projection f Y)); [|rewrite Hu in *; lra]. apply Rmult_le_compat_l; [lra|].
+      destruct (coordinate_bound _ _ (Rle_refl (len (projection f Y)))) as [C0 [C1 C2]].
+      rewrite Proj in C0, C1, C2. cbn [vx vy vz] in C0, C1, C2. rewrite <- Proj in C0, C1, C2.
+      destruct j as [|[|[|j]]]; [exact C0 | exact C1 | exact C2 | lia].
+    - change 2 with (bpow radix2 1). apply bpow_le. lia. }
+  destruct (Coord 0%nat ltac:(lia)) as [Fc0 Ec0]. destruct (Coord 1%nat ltac:(lia)) as [Fc1 Ec1].
+  destruct (Coord 2%nat ltac:(lia)) as [Fc2 Ec2].
+  split; [intros [|[|[|j]]] Hj; [assumption | assumption | assumption | lia]|].
+  rewrite Ec0, Ec1, Ec2. unfold shortened. rewrite Proj. reflexivity.
+Qed.
+
 Section OfVector.
 Variables (e y : vec) (x : nat -> double).
 Let Y := value_of_vector (fun n => val (x n)) 0.
@@ -249,20 +361,7 @@ Proof.
     change 140%nat with (139 + 1)%nat. rewrite pow_add. simpl (10 ^ 1).
     assert (I : 10 ^ 139 * / 10 ^ 139 = 1) by (apply Rinv_r, pow_nonzero; lra). revert I.
     generalize (10 ^ 139) (/ 10 ^ 139). intros j k I. apply Rle_trans with (0.8 * (j * k)); [lra | rewrite I; lra]. }
-  assert (HighY : len Y <= 10 ^ 160).
-  { assert (D := rdot_rounding Y Y Yfmt Yfmt). rewrite <- len_sq, <- Ey2 in D. apply Rabs_le_inv in D.
-    assert (Top : val (on_doubles x (square 0)) < bpow radix2 1024)
-      by (eapply Rle_lt_trans; [apply Rle_abs | apply (abs_B2R_lt_emax 53 1024)]).
-    apply Rnot_lt_le. intro N. assert (N2 : 10 ^ 160 * 10 ^ 160 <= len Y * len Y).
-    { assert (0 <= 10 ^ 160) by (apply pow_le; lra). apply Rmult_le_compat; lra. }
-    assert (P : bpow radix2 1024 * 2 <= 10 ^ 160 * 10 ^ 160).
-    { change (bpow radix2 1024) with (IZR (2 ^ 1024)). rewrite pow_IZR, <- !mult_IZR. apply IZR_le. apply Z.leb_le.
-      vm_compute. reflexivity. }
-    assert (T3 : 3.0001 * u * (3 * tau) <= 1).
-    { assert (tau <= 1) by (eapply Rle_trans; [exact Tau|]; rewrite <- Rinv_1; apply Rinv_le; [lra | apply pow_R1_Rle;
-        lra]). rewrite Hu. lra. }
-    assert (2 <= bpow radix2 1024) by (change 2 with (bpow radix2 1); apply bpow_le; lia).
-    rewrite Hu in *. lra. }
+  assert (HighY : len Y <= 10 ^ 160) by exact (length_below (on_doubles x (square 0)) Y Yfmt Ey2).
   destruct (inverse_of_length Y Yfmt LowS HighY) as [LowY Unit]. rewrite <- Er in Unit.
   assert (Hs1 : i * b * (1 - u) - u * tau <= s <= i * b * (1 + u) + u * tau) by (rewrite (Rmult_comm i b); lra).
   assert (L0 : 0 < len Y) by (assert (0 < / 10 ^ 140) by (apply Rinv_0_lt_compat, pow_lt; lra); lra).
@@ -304,82 +403,11 @@ Proof.
       assert (len (vsub Y y) * len e <= len Y / 15 * len e) by (apply Rmult_le_compat_r; [apply len_nonneg | exact dL]).
       lra.
     - rewrite (dot_sym (vsub Y y)), dot_sub_right, (dot_sym e y), Ye, dot_sym. ring. }
-  destruct (factor_of_projection e f Y i Ffmt Yfmt Near Edge LowY Flat Unit) as [_ [_ [ee0 Q]]].
-  destruct (shortened_right e f Y i Ffmt Yfmt Near Edge LowY Flat Unit) as [_ [_ Fit]].
-  assert (P532 : 10 ^ 160 <= bpow radix2 532) by (change (bpow radix2 532) with (IZR (2 ^ 532)); rewrite pow_IZR; apply
-    IZR_le, Z.leb_le; vm_compute; reflexivity).
-  assert (P88 : 10 ^ 26 * 2 <= bpow radix2 88) by (change (bpow radix2 88) with (IZR (2 ^ 88)); rewrite pow_IZR, <-
-    mult_IZR; apply IZR_le, Z.leb_le; vm_compute; reflexivity).
-  assert (P619 : 10 ^ 160 * 10 ^ 26 <= bpow radix2 619) by (change (bpow radix2 619) with (IZR (2 ^ 619)); rewrite
-    !pow_IZR, <- mult_IZR; apply IZR_le, Z.leb_le; vm_compute; reflexivity).
-  assert (Lf : len f <= bpow radix2 88).
-  { eapply Rle_trans; [|exact P88]. eapply Rle_trans; [apply (len_from f e)|]. rewrite Hu in *. lra. }
-  assert (CY : forall j, (j < 3)%nat -> Rabs (val (x j)) <= bpow radix2 532).
-  { destruct (coordinate_bound Y _ (Rle_trans _ _ _ HighY P532)) as [C0 [C1 C2]].
-    intros [|[|[|j]]] Hj; [exact C0 | exact C1 | exact C2 | lia]. }
-  assert (Cf : forall j, (j < 3)%nat -> Rabs (val (x (3 + j)%nat)) <= bpow radix2 88).
-  { destruct (coordinate_bound f _ Lf) as [C0 [C1 C2]].
-    intros [|[|[|j]]] Hj; [exact C0 | exact C1 | exact C2 | lia]. }
-  destruct (forward x (fun n => if (n <? 3)%nat then 532 else if (n <? 6)%nat then 88 else 5000)%Z
-    (edot (given 0) (given 1)) 622) as [Fd [Ed _]].
-  { intros n Hn. destruct (Nat.ltb_spec n 3); [split; [apply Fy | apply CY]; assumption|].
-    destruct (Nat.ltb_spec n 6); [|discriminate Hn]. replace n with (3 + (n - 3))%nat by lia.
-    split; [apply Ff | apply Cf]; lia. }
-  { vm_compute. reflexivity. }
-  assert (Ed' : val (on_doubles x (edot (given 0) (given 1))) = rdot Y f) by exact Ed. clear Ed.
-  cbv zeta in Eee.
-  assert (E0 : 0 < len e) by (assert (0 < / 10 ^ 26) by (apply Rinv_0_lt_compat, pow_lt; lra); lra).
-  assert (Big : Rabs (rdot Y f / rdot f f) <= bpow radix2 619).
-  { eapply Rle_trans; [exact Q|]. eapply Rle_trans; [|exact P619]. unfold Rdiv. apply Rmult_le_compat; try lra.
-    - left. apply Rinv_0_lt_compat, E0.
-    - rewrite <- (Rinv_inv (10 ^ 26)). apply Rinv_le; [apply Rinv_0_lt_compat, pow_lt;
-        lra | lra]. }
-  assert (Wide : bpow radix2 619 <= bpow radix2 1000) by (apply bpow_le; lia).
-  destruct (div_forward (on_doubles x (edot (given 0) (given 1))) (on_doubles x (square 1)) Fd Fee) as [Fk Ek].
-  { rewrite Eee. lra. }
-  { rewrite Ed', Eee. lra. }
-  rewrite Ed', Eee in Ek.
-  change (Bdiv mode_NE (on_doubles x (edot (given 0) (given 1))) (on_doubles x (square 1))) with (on_doubles x
-    along_edge) in Fk, Ek.
-  assert (Bk : Rabs (val (on_doubles x along_edge)) <= bpow radix2 619) by (rewrite Ek; apply rnd_power; [lia | exact
-    Big]).
-  assert (Part : forall j, (j < 3)%nat -> let r := on_doubles x (Sub (Var j) (Mul along_edge (Var (3 + j)))) in finite r
-    /\ val r = rnd (val (x j) - rnd (val (on_doubles x along_edge) * val (x (3 + j)%nat)))).
-  { intros j Hj r. assert (Cj := Cf j Hj). assert (Yj := CY j Hj).
-    assert (M : Rabs (val (on_doubles x along_edge) * val (x (3 + j)%nat)) <= bpow radix2 707).
-    { rewrite Rabs_mult. change 707%Z with (619 + 88)%Z. rewrite bpow_plus. apply Rmult_le_compat; auto using Rabs_pos.
-      }
-    destruct (mul_forward (on_doubles x along_edge) (x (3 + j)%nat) Fk (Ff j Hj)) as [Fm Em].
-    { eapply Rle_trans; [exact M | apply bpow_le; lia]. }
-    destruct (sub_forward (x j) (Bmult mode_NE (on_doubles x along_edge) (x (3 + j)%nat)) (Fy j Hj) Fm) as [Fr2 Er2].
-    { rewrite Em. assert (Rm := rnd_power _ 707 ltac:(lia) M). unfold Rminus. eapply Rle_trans; [apply Rabs_triang|].
-      rewrite Rabs_Ropp. apply Rle_trans with (bpow radix2 707 * 2).
-      - assert (bpow radix2 532 <= bpow radix2 707) by (apply bpow_le; lia). lra.
-      - change 2 with (bpow radix2 1). rewrite <- bpow_plus. apply bpow_le. lia. }
-    split; [exact Fr2|]. rewrite Em in Er2. exact Er2. }
-  set (parts j := Sub (Var j) (Mul along_edge (Var (3 + j)))) in *.
-  assert (Proj : projection f Y = V (val (on_doubles x (parts 0%nat))) (val (on_doubles x (parts 1%nat))) (val
-    (on_doubles
-    x (parts 2%nat)))).
-  { destruct (Part 0%nat ltac:(lia)) as [_ V0]. destruct (Part 1%nat ltac:(lia)) as [_ V1]. destruct (Part 2%nat
-      ltac:(lia)) as [_ V2]. change (Sub (Var 0) (Mul along_edge (Var (3 + 0)))) with (parts 0%nat) in V0.
-    change (Sub (Var 1) (Mul along_edge (Var (3 + 1)))) with (parts 1%nat) in V1.
-    change (Sub (Var 2) (Mul along_edge (Var (3 + 2)))) with (parts 2%nat) in V2.
-    rewrite V0, V1, V2, Ek. reflexivity. }
-  assert (Coord : forall j, (j < 3)%nat -> finite (on_doubles x (coordinate j)) /\
-    val (on_doubles x (coordinate j)) = rnd (i * val (on_doubles x (parts j)))).
-  { intros j Hj. destruct (Part j Hj) as [Fj _].
-    apply (mul_forward (on_doubles x inverse_length) (on_doubles x (parts j)) Fi Fj).
-    fold i. rewrite Rabs_mult, (Rabs_pos_eq i) by lra. apply Rle_trans with 2.
-    - apply Rle_trans with (i * len (projection f Y)); [|rewrite Hu in *; lra]. apply Rmult_le_compat_l; [lra|].
-      destruct (coordinate_bound _ _ (Rle_refl (len (projection f Y)))) as [C0 [C1 C2]].
-      rewrite Proj in C0, C1, C2. cbn [vx vy vz] in C0, C1, C2. rewrite <- Proj in C0, C1, C2.
-      destruct j as [|[|[|j]]]; [exact C0 | exact C1 | exact C2 | lia].
-    - change 2 with (bpow radix2 1). apply bpow_le. lia. }
-  destruct (Coord 0%nat ltac:(lia)) as [Fc0 Ec0]. destruct (Coord 1%nat ltac:(lia)) as [Fc1 Ec1].
-  destruct (Coord 2%nat ltac:(lia)) as [Fc2 Ec2].
+  destruct (shortened_on_doubles e x (on_doubles x inverse_length) i Fy Ff Fee Near Edge (conj LowY HighY) Unit Flat Fi
+    (Rabs_pos_eq i (Rlt_le _ _ Pi))) as [Coord Value].
   split.
-  - intros z [<-|[<-|[<-|[<-|[]]]]]; assumption.
-  - rewrite Ec0, Ec1, Ec2. unfold shortened in Known. rewrite Proj in Known. exact Known.
+  - intros z [<-|[<-|[<-|[<-|[]]]]]; [exact (Coord 0%nat ltac:(lia)) | exact (Coord 1%nat ltac:(lia)) |
+      exact (Coord 2%nat ltac:(lia)) | exact Ft].
+  - refine (eq_ind _ (fun U => known e y U _) Known _ (eq_sym Value)).
 Qed.
 End OfVector.

@@ -250,7 +250,7 @@ Proof.
     reflexivity | apply (known_is_direction e y), K | |].
   { intros k Hk. destruct k as [|[|[|[|[|k]]]]]; [lia | | | | | lia]; eexists; (split; [eassumption | lra]). }
   rewrite <- on_doubles_replace in FV, Small, Error. fold value in FV, Small, Error.
-  destruct K as [Fx K]. set (t := error_of x). assert (Ht : 0 <= t <= 3 / 32) by apply K.
+  destruct K as [Fx K]. set (t := error_of x). assert (Ht : 0 <= t <= 3 / 32) by exact (error_not_negative _ _ _ _ K).
   set (v := on_doubles x value) in *.
   (* the squares are finite *)
   destruct (forward (fun _ => v) (fun n => match n with 0%nat => 271 | _ => 5000 end)%Z (Mul (Var 0) (Var 0)) 542)

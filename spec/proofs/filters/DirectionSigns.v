@@ -221,7 +221,7 @@ Proof.
   replace (Q2R approach_needs) with 19.17 in Hc by (unfold Q2R; cbn; lra).
   replace (Q2R 1000) with 1000 in Hc by (unfold Q2R; cbn; lra).
   (* the bound is finite *)
-  set (t := error_of x). assert (Ht : 0 <= t <= 3 / 32) by apply K.
+  set (t := error_of x). assert (Ht : 0 <= t <= 3 / 32) by exact (error_not_negative _ _ _ _ K).
   set (w n := match n with 0%nat => x 21%nat | _ => on_doubles x (Root (size_square seen_from_edge 1 2)) end).
   destruct (forward w (fun n => match n with 0%nat => 0 | 1%nat => 88 | _ => 5000 end)%Z
     (Mul (Add (Var 0) (in_roundoffs kExitBound)) (Var 1)) 89) as [FB [EB _]].
@@ -372,7 +372,7 @@ Proof.
   destruct (header_constant kNormalBound normal_needs 1000 eq_refl x) as [Fc Hc].
   replace (Q2R normal_needs) with 22.06 in Hc by (unfold Q2R; cbn; lra).
   replace (Q2R 1000) with 1000 in Hc by (unfold Q2R; cbn; lra).
-  set (t := error_of x). assert (Ht : 0 <= t <= 3 / 32) by apply K.
+  set (t := error_of x). assert (Ht : 0 <= t <= 3 / 32) by exact (error_not_negative _ _ _ _ K).
   set (w n := match n with 0%nat => x 21%nat | 1%nat => on_doubles x (Root (corner_square 1))
                          | _ => on_doubles x (Root (corner_square 2)) end).
   destruct (forward w (fun n => match n with 0%nat => 0 | 1%nat | 2%nat => 88 | _ => 5000 end)%Z

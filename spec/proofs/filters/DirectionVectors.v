@@ -489,5 +489,7 @@ Proof.
     apply (turn_of_offset z G s t); [exact t0 | exact LG | rewrite Hu in *; lra|].
     apply (tangent_of_sine s t (len z)); [lra | exact (proj1 Ht) | exact Lz].
   - split; [|exact (proj2 Ht)]. eapply Rle_trans; [|exact (proj1 Ht)].
-    apply Rmult_le_pos; [apply Rmult_le_pos; lra | rewrite Hu; lra].
+    assert (19.9 * u * 0.99 <= s * (1 + 2 * s) * (1 - 3.1 * u)); [|lra].
+    assert (19.9 * u * 1 <= s * (1 + 2 * s)) by (apply Rmult_le_compat; lra).
+    apply Rmult_le_compat; rewrite ?Hu in *; lra.
 Qed.

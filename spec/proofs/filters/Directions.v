@@ -22,7 +22,9 @@ Record known (e y U : vec) (t : R) : Prop := Known {
   is_short : len U <= 1 + 16 * u;
   leaves_plane : Rabs (dot U e) <= 12 * u * (len U * len e);
   angle_is_small : tangent_at_most t y (in_plane e U);
-  error_is_small : 0 <= t <= 3 / 32 }.
+  error_is_small : 4 * u <= t <= 3 / 32 }.
+Lemma error_not_negative : forall e y U t, known e y U t -> 0 <= t <= 3 / 32.
+Proof. intros e y U t K. generalize (error_is_small _ _ _ _ K) u_pos. lra. Qed.
 
 (* ---- Linear forms ---- *)
 
