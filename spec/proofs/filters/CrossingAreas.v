@@ -30,7 +30,7 @@ Qed.
 Lemma quotient_nonneg : forall x y, 0 <= x -> 0 < y -> 0 <= x / y.
 Proof. intros. apply Rmult_le_pos; [assumption | left; apply Rinv_0_lt_compat; assumption]. Qed.
 
-(* A height that is not huge leaves much of the second area. All but `there` are sizes. *)
+(* A height that is not huge leaves much of the second area, `there`. *)
 Section Floor.
 Variables here there nn ee W n e L : R.
 Hypothesis L_floor : / 10 ^ 26 <= L.
@@ -143,7 +143,7 @@ Proof.
 Qed.
 End Floor.
 
-(* With a ratio that is at least F. *)
+(* The scaling is at least this, where the ratio of areas is at least F. *)
 Lemma scaling_least : forall k F ratio nc ec n e, vapprox 1 nc n -> vapprox 1 ec e ->
   / 10 ^ 26 <= len n <= 10 ^ 26 -> / 10 ^ 26 <= len e <= 10 ^ 26 -> 0 <= F -> 0 <= k <= 20 ->
   at_least k F ratio -> / 10 ^ 100 <= ratio ->
@@ -200,7 +200,7 @@ Proof.
   - eapply Rle_trans; [apply (power_below 110 105); lia|]. apply (Half 104%nat); [lia | exact B1].
 Qed.
 
-(* The computed angle, enlarged. *)
+(* The enlarged angle is no smaller than the true one, and not tiny. *)
 Lemma angle_least : forall t0c t1c t0 t1 L square angle, vapprox 1 t0c t0 -> vapprox 1 t1c t1 ->
   / 10 ^ 26 <= L -> len t0 <= L -> len t1 <= L -> L * L * (1 - 14 * u) <= square -> 5.02 * u <= angle ->
   at_least 1.0001 (Rabs (dot t0 t1)) (rnd (Rabs (rdot t0c t1c) + rnd (angle * square))) /\
@@ -283,7 +283,7 @@ Proof.
   - eapply Rle_trans; [apply (power_below 292 (68 + 110)); lia|]. apply floor_mult; assumption.
 Qed.
 
-(* ---- Both kinds of crossings ---- *)
+(* ---- The height behind a polygon, and behind a triangle ---- *)
 
 Theorem height_of_areas : forall a b t0 t1 e n ac bc t0c t1c ec nc L square area angle,
   vapprox 1 ac a -> vapprox 1 bc b -> vapprox 1 t0c t0 -> vapprox 1 t1c t1 -> vapprox 1 ec e -> vapprox 1 nc n ->
@@ -397,7 +397,7 @@ Proof.
   apply (at_least_weaken _ 20) in Z; [exact Z | apply sqrt_pos | lra].
 Qed.
 
-(* For a triangle both areas are one. *)
+(* A triangle has the same area for both edges. *)
 Theorem height_of_triangle : forall N N' t0 t1 e n t0c t1c ec nc L square angle,
   vapprox 1 t0c t0 -> vapprox 1 t1c t1 -> vapprox 1 ec e -> vapprox 1 nc n -> dot N N = dot N' N' ->
   / 10 ^ 26 <= len e <= 10 ^ 26 -> / 10 ^ 26 <= len n <= 10 ^ 26 -> / 10 ^ 26 <= L ->

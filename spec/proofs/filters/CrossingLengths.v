@@ -146,7 +146,7 @@ Proof.
   intro v. unfold rlength, rnd. apply round_ge_generic; auto with typeclass_instances;
     [apply generic_format_0 | apply sqrt_pos].
 Qed.
-(* It is so of any vector, but for what underflows. *)
+(* The same holds of any vector, but for what underflows. *)
 Lemma rlength_least : forall v, fmt3 v -> len v * (1 - 2.51 * u) - / 10 ^ 145 <= rlength v.
 Proof.
   intros v F. assert (P := power_positive 145). destruct (Rle_or_lt (/ 10 ^ 145) (len v)) as [H|H].
@@ -175,7 +175,7 @@ Proof.
     assert (u * tau <= 0.1 * tau) by (apply Rmult_le_compat_r; lra). lra.
 Qed.
 
-(* Of a difference of points. *)
+(* The vector a is a difference x of points, with each coordinate rounded once. *)
 Lemma fmt_of_approx : forall k a x, vapprox k a x -> fmt3 a.
 Proof. intros k a x [[F1 _ _] [[F2 _ _] [F3 _ _]]]. repeat split; assumption. Qed.
 Lemma len_of_approx : forall a x, vapprox 1 a x -> len x * (1 - u) <= len a <= len x * (1 + u).
@@ -338,7 +338,7 @@ Qed.
 Lemma rnd_below_fmt : forall x y, fmt y -> x <= y -> rnd x <= y.
 Proof. intros. unfold rnd. apply round_le_generic; auto with typeclass_instances. Qed.
 
-(* Where anything is left of it, both vectors are long enough. *)
+(* What is left of an area is at most 2.1 times the product of both lengths. *)
 Lemma area_there_floor : forall area ac bc a b, vapprox 1 ac a -> vapprox 1 bc b -> 0 <= area ->
   / 10 ^ 143 <= area_there area ac bc ->
   area_there area ac bc <= 2.1 * (len a * len b) /\ / 10 ^ 145 <= len (rcross ac bc).
@@ -396,5 +396,5 @@ Proof.
   rewrite (Rabs_pos_eq (l - bound)) in R1 by lra. apply Rabs_le_inv in R1.
   assert (u * (l - bound) <= u * (z * (1 + 2.51 * u))) by (apply Rmult_le_compat_l; lra).
   assert (Z : rnd (l - bound) <= z * (1 + 3.53 * u)) by lra.
-  split; [exact Z|]. apply Rnot_le_lt. intro N. assert (z = 0) by lra. rewrite H1 in Z. lra.
+  split; [exact Z|]. apply Rnot_le_lt. intro N. assert (Z0 : z = 0) by lra. rewrite Z0 in Z. lra.
 Qed.
