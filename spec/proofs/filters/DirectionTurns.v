@@ -1,7 +1,7 @@
 (* The rule of a crossing's error (src/flow/cascades.md): the tangent of the angle between the computed direction Y
    behind a facet and the true one. Y is the image of what was known before, and something more, at most r |Y|. With
    kappa and tau for the determinant and the norm of the map, over the square of |Y| and over |Y|, and
-   eta = kappa t + tau t + r <= 1/16, the tangent is at most (kappa t + r) (1 + 5 eta). This is about real numbers. *)
+   eta = kappa t + tau t + r <= 1/15, the tangent is at most (kappa t + r) (1 + 5 eta). This is about real numbers. *)
 From Coq Require Import Reals Lra Psatz.
 From Flocq Require Import Core.
 From Flowcert Require Import algebra.Vector3 algebra.Cascade algebra.Crossing filters.Rounding filters.RoundedVectors
@@ -9,7 +9,7 @@ From Flowcert Require Import algebra.Vector3 algebra.Cascade algebra.Crossing fi
 Open Scope R_scope.
 
 (* x is |MP| / |Y|. *)
-Lemma rule_of_tangents : forall K T r x, 0 <= K -> 0 <= T -> 0 <= r -> K + T + r <= / 16 -> 1 - r <= x <= 1 + r ->
+Lemma rule_of_tangents : forall K T r x, 0 <= K -> 0 <= T -> 0 <= r -> K + T + r <= / 15 -> 1 - r <= x <= 1 + r ->
   let eta := K + T + r in
   0 < x * x - x * T - r * (x + T) /\
   K + r * (x + T) <= (K + r) * (1 + 5 * eta) * (x * x - x * T - r * (x + T)).
@@ -18,7 +18,7 @@ Proof.
   assert (B : 1 - 3 * eta <= x * x - x * T - r * (x + T)).
   { assert (0 <= (x - (1 - r)) * (x + (1 - r) - T - r)) by (apply Rmult_le_pos; lra).
     assert (0 <= r * r) by apply Rle_0_sqr. unfold eta. lra. }
-  assert (E : 0 <= eta <= / 16) by (unfold eta; lra).
+  assert (E : 0 <= eta <= / 15) by (unfold eta; lra).
   split; [lra|].
   assert (C : K + r * (x + T) <= (K + r) * (1 + eta)).
   { assert (r * (x + T) <= r * (1 + eta)) by (apply Rmult_le_compat_l; unfold eta; lra).
@@ -46,7 +46,7 @@ Theorem tangent_behind : forall p0 p1 q k0 k1 c, polygon p0 p1 q k0 k1 c ->
   let Y := vadd (map P) delta in let eta := kappa * t + tau * t + r in
   0 < len Y -> 0 <= kappa -> 0 <= tau -> 0 <= r ->
   sqrt (determinant_square p0 p1 q k0 k1 c) * (len P * len P) <= kappa * (len Y * len Y) ->
-  sqrt (norm_square p0 p1 q k0 k1 c) * len P <= tau * len Y -> len delta <= r * len Y -> eta <= / 16 ->
+  sqrt (norm_square p0 p1 q k0 k1 c) * len P <= tau * len Y -> len delta <= r * len Y -> eta <= / 15 ->
   tangent_at_most ((kappa * t + r) * (1 + 5 * eta)) (map y) Y.
 Proof.
   intros p0 p1 q k0 k1 c Poly e map y P t delta kappa tau r Ye Pe [Hd Ht] T0 Y eta L0 K0 N0 R0 Det Norm Delta Eta.
@@ -115,7 +115,7 @@ Proof.
   assert (X : 1 - r <= x <= 1 + r) by (split; apply Rmult_le_reg_r with L; lra).
   set (K := kappa * t) in *. set (T := tau * t) in *.
   assert (K' : 0 <= K) by (apply Rmult_le_pos; lra). assert (T' : 0 <= T) by (apply Rmult_le_pos; lra).
-  assert (r1 : r <= / 16) by (unfold eta in Eta; lra).
+  assert (r1 : r <= / 15) by (unfold eta in Eta; lra).
   destruct (rule_of_tangents K T r x K' T' R0 Eta X) as [Pos Rule]. fold eta in Rule.
   assert (LMy : len (map y) <= l * (x + T) * L).
   { rewrite My. eapply Rle_trans; [apply len_triangle|]. rewrite len_scale by lra. fold m. rewrite Ex. unfold T. lra. }
