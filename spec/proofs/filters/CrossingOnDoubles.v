@@ -293,7 +293,7 @@ Record values_behind : Prop := ValuesBehind {
   vector_below : len Y <= 10 ^ 160;
   inverse_value : finite (on_doubles x inverse_behind) /\ value inverse_behind = i /\ 0 < i;
   angle_bound_value : finite (on_doubles x angle_form_bound) /\ value angle_form_bound = rnd (c2 * X 10);
-  height_finite : finite (on_doubles x (Div (Mul area_ratio (square 7)) (square 6))) /\ 0 <= height_value;
+  height_finite : finite (on_doubles x (Div (Mul squared_ratio (square 7)) (square 6))) /\ 0 <= height_value;
   slack_value : slack < / 16;
   error_value : finite (on_doubles x error_behind) /\
     value error_behind = way_error kB turn (X 3) r slack }.
@@ -317,8 +317,8 @@ Proof.
   { exact (mul_positive x _ _ (K kAngleFormBound eq_refl) (P _ R10)). }
   assert (Nla : not_negative (on_doubles x angle_behind)).
   { exact (add_positive x _ _ (abs_positive x angle_form) Na). }
-  assert (Nq : not_negative (on_doubles x (Div (Mul area_ratio (square 7)) (square 6)))).
-  { exact (div_positive x _ _ (mul_positive x area_ratio _ ratio_is_positive (P _ R7)) (P _ R6)). }
+  assert (Nq : not_negative (on_doubles x (Div (Mul squared_ratio (square 7)) (square 6)))).
+  { exact (div_positive x _ _ (mul_positive x squared_ratio _ ratio_is_positive (P _ R7)) (P _ R6)). }
   assert (Nh : not_negative (on_doubles x height_behind)).
   { exact (mul_positive x _ _ (add_positive x _ _ (abs_positive x next_angle_form) (mul_positive x _ way_square_size
       (K kHeightBound eq_refl) size_is_positive)) (root_positive x _ Nq)). }

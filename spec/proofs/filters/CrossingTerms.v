@@ -18,7 +18,7 @@ Definition angle_form := Var 9.
 Definition seen_square_size := Var 10.
 Definition next_angle_form := Var 15.
 Definition way_square_size := Var 16.
-Definition area_ratio := Var 17.
+Definition squared_ratio := Var 17.
 Definition approach_behind := edot (given 0) (given 2).
 Definition part_behind i := Add (Mul approach_behind (Var (12 + i))) (Mul (Mul (Cst 1 1) angle_form) (Var i)).
 Definition vector_behind := Triple (part_behind 0) (part_behind 1) (part_behind 2).
@@ -28,7 +28,7 @@ Definition approach_bound_behind := Mul (Add old_error (times_roundoff kExitBoun
 Definition factor_behind := Choose Less approach_bound_behind approach_behind inverse_behind
   (Choose Less angle_form_bound angle_form inverse_behind (Neg inverse_behind)).
 Definition angle_behind := Add (Abs angle_form) angle_form_bound.
-Definition scaling_behind := Root (Div (Mul area_ratio (square 7)) (square 6)).
+Definition scaling_behind := Root (Div (Mul squared_ratio (square 7)) (square 6)).
 Definition height_behind :=
   Mul (Add (Abs next_angle_form) (Mul (times_roundoff kHeightBound) way_square_size)) scaling_behind.
 Definition turn_behind := Mul (Mul (Mul (Mul (Cst 1 2) angle_behind) height_behind) inverse_behind) inverse_behind.

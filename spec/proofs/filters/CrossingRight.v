@@ -1,0 +1,133 @@
+(* `triangle_right`, `corner_right`, `polygon_right`: where step_across() of src/flow/kernels/direction_across.h says
+  that
+   the direction behind a facet is known, it is, on doubles, for all points. The facet is left through a triangle, over
+   to an edge of a polygon that keeps one end of the facet's edge, or to one that keeps none. *)
+From Coq Require Import Reals ZArith QArith Qreals Lra Lia Psatz Bool List.
+From Flocq Require Import Core BinarySingleNaN.
+From Flowcert Require Import algebra.Vector3 algebra.Cascade algebra.Crossing code.Expression code.generated.Constants
+  filters.Rounding filters.RoundedVectors filters.Norms filters.Floors filters.Doubles filters.Terms filters.Filter
+  filters.Directions filters.DirectionSigns filters.DirectionVectors filters.DirectionOfVector filters.DirectionStarts
+  filters.CrossingLengths filters.CrossingAreas filters.CrossingVectors filters.CrossingKnown filters.CrossingTerms
+  filters.CrossingOnDoubles filters.CrossingBehind
+  filters.CrossingInputs.
+From Flowcert Require filters.Cells.
+Open Scope R_scope.
+
+(* ---- Through a triangle ---- *)
+
+Lemma same_area : forall a b c, dot (area_vector a b c) (area_vector a b c) = dot (area_vector a c b) (area_vector a c
+  b).
+Proof.
+  intros a b c. replace (area_vector a c b) with (vscale (-1) (area_vector a b c)); [rewrite scale_square; ring|].
+  unfold area_vector. vdestruct. apply vec_eq; cbn; ring.
+Qed.
+
+Section Triangle.
+Variable y : nat -> double.
+Let p k := point y k.
+Let w n := on_doubles y (inputs triangle_pairs n).
+Let x n := on_doubles y (in_triangle n).
+Let d k := value_of_vector (exact_inputs triangle_pairs y) k.
+Let v k := value_of_vector (fun n => val (w n)) k.
+Let G := seen_from (p 0%nat) (p 1%nat) (p 2%nat).
+
+Lemma second_below_seen_size : forall a b, len b <= 0.7072 * seen_size a b.
+Proof.
+  intros a b. apply len_le; [apply Rmult_le_pos; [lra | apply seen_size_nonneg]|].
+  replace (0.7072 * seen_size a b * (0.7072 * seen_size a b)) with (0.7072 * 0.7072 * (seen_size a b * seen_size a b))
+    by ring. rewrite seen_size_square. generalize (dot_self_nonneg a) (dot_self_nonneg b). lra.
+Qed.
+
+Lemma triangle_is_good : area_vector (p 0%nat) (p 1%nat) (p 2%nat) <> vzero ->
+  good_passage x (p 0%nat) (p 1%nat) (p 2%nat) (p 0%nat) (p 2%nat) (p 1%nat) (len (d 3%nat)) G.
+Proof.
+  intro Area. generalize u_pos u_val. intros U0 Hu.
+  assert (D1 : d 1%nat = vsub (p 2%nat) (p 0%nat)) by reflexivity.
+  assert (D2 : d 2%nat = vsub (p 2%nat) (p 1%nat)) by reflexivity.
+  assert (D3 : d 3%nat = vsub (p 1%nat) (p 2%nat)) by reflexivity.
+  assert (D4 : d 4%nat = vsub (p 1%nat) (p 0%nat)) by reflexivity.
+  assert (L3 : len (d 3%nat) = len (d 2%nat)).
+  { rewrite D3, D2. apply len_sub_sym. }
+  assert (EG : seen_size (d 1%nat) (d 2%nat) = G) by (unfold G, seen_from; rewrite D1, D2; reflexivity).
+  assert (Part : forall n e, in_triangle n = replace (inputs triangle_pairs) e -> x n = on_doubles w e)
+    by (intros n e E; unfold x, w; rewrite E; apply on_doubles_replace).
+  assert (Seen : square_in_range x seen_square_size -> Rabs (val (x 10%nat) - G * G) <= 7.01 * u * (G * G) /\
+    / 10 ^ 26 <= G <= 10 ^ 26).
+  { intro R. apply (square_in_range_same x w seen_square_size (seen_square 1 2) (Part 10%nat _ eq_refl)) in R.
+    destruct (seen_is_near triangle_pairs y R) as [_ [_ [HS [HG _]]]].
+    change (value_of_vector (exact_inputs triangle_pairs y) 1) with (d 1%nat) in HS, HG.
+    change (value_of_vector (exact_inputs triangle_pairs y) 2) with (d 2%nat) in HS, HG. rewrite EG in HS, HG.
+    split; [|exact HG]. rewrite (Part 10%nat (seen_square 1 2) eq_refl). exact HS. }
+  assert (E16 : x 16%nat = x 10%nat) by reflexivity.
+  assert (Square : square_in_range x seen_square_size -> G * G * (1 - 14 * u) <= val (x 16%nat)).
+  { intro R. destruct (Seen R) as [HS _]. rewrite E16. apply Rabs_le_inv in HS.
+    assert (0 <= u * (G * G)) by (apply Rmult_le_pos; [lra | apply Rle_0_sqr]). lra. }
+  assert (V3 : (forall n, (6 <= n <= 23)%nat -> n <> 11%nat -> finite (x n)) -> vapprox 1 (v 3%nat) (d 3%nat)).
+  { intro F. apply (vector_is_near triangle_pairs y 2). intros i Hi.
+    change (finite (x (12 + i)%nat)) || (destruct i as [|[|[|i]]]; [exact (F 12%nat ltac:(lia) ltac:(lia)) |
+      exact (F 13%nat ltac:(lia) ltac:(lia)) | exact (F 14%nat ltac:(lia) ltac:(lia)) | lia]). }
+  assert (R6 : square_in_range x (square 6) -> vapprox 1 (v 4%nat) (d 4%nat) /\ / 10 ^ 26 <= len (d 4%nat) <= 10 ^ 26).
+  { intro R. apply (edge_of_passage triangle_pairs y 3). exact (square_in_range_same x w (square 6) (square 4) eq_refl
+    R). }
+  assert (R7 : square_in_range x (square 7) -> vapprox 1 (v 1%nat) (d 1%nat) /\ / 10 ^ 26 <= len (d 1%nat) <= 10 ^ 26).
+  { intro R. apply (edge_of_passage triangle_pairs y 0). exact (square_in_range_same x w (square 7) (square 1) eq_refl
+    R). }
+  split.
+  - apply triangle_is_polygon, Area.
+  - rewrite (Part 16%nat (seen_square 1 2) eq_refl). apply mul_positive.
+    + apply positive_not_negative. rewrite (proj2 (power_constant 1 w ltac:(lia))). apply bpow_gt_0.
+    + apply add_positive; apply square_positive.
+  - apply positive_not_negative. change (x 17%nat) with (on_doubles y one). rewrite (proj2 (one_on_doubles y)). lra.
+  - intros F R. assert (ED : D (p 0%nat) (p 1%nat) (p 0%nat) (p 2%nat) = d 3%nat).
+    { rewrite D3. apply vec_eq; cbn; ring. }
+    apply (inputs_of_passage triangle_pairs y (Given 3) (Given 4) (Given 1) (Dot (Given 4) (Given 3)) (seen_square 1 2)
+      one
+      _ _ _ _ _ _ _ D1 D2 F R).
+    + rewrite ED. lra.
+    + rewrite ED. eapply Rle_trans; [exact (vapprox_len _ _ (V3 F))|]. apply Rmult_le_compat_r; [apply len_nonneg |
+      lra].
+    + left. split; [|reflexivity]. rewrite L3. fold G. rewrite <- EG. apply second_below_seen_size.
+    + exact (Square R).
+  - intro R. destruct (R7 R) as [V1 B]. rewrite <- D1. split; [exact (vapprox_len _ _ V1) | exact B].
+  - intros F R10 R6' R7' _ _ _ _. destruct (R6 R6') as [V4 B4]. destruct (R7 R7') as [V1 B1].
+    assert (F15 := F 15%nat ltac:(lia) ltac:(lia)).
+    rewrite (Part 15%nat (edot (given 4) (given 3)) eq_refl) in F15.
+    assert (E15 : val (x 15%nat) = rdot (v 4%nat) (v 3%nat)).
+    { rewrite (Part 15%nat (edot (given 4) (given 3)) eq_refl). apply (dot_parts w 4 3 F15). }
+    assert (E17 : val (x 17%nat) = 1) by exact (proj2 (one_on_doubles y)).
+    unfold height_value. rewrite E15, E17.
+    change (value_of_vector (fun n => val (x n)) 6) with (v 4%nat).
+    change (value_of_vector (fun n => val (x n)) 7) with (v 1%nat).
+    assert (Same : dot (area_vector (p 0%nat) (p 1%nat) (p 2%nat)) (area_vector (p 0%nat) (p 1%nat) (p 2%nat)) =
+      dot (area_vector (p 0%nat) (p 2%nat) (p 1%nat)) (area_vector (p 0%nat) (p 2%nat) (p 1%nat))).
+    { apply same_area. }
+    apply (height_of_triangle _ _ (d 4%nat) (d 3%nat) (d 4%nat) (d 1%nat) _ _ _ _ G (val (x 16%nat)) _ V4 (V3 F) V4 V1
+      Same
+      B4 B1 (proj1 (proj2 (Seen R10)))).
+    + rewrite <- EG. replace (d 4%nat) with (vsub (d 1%nat) (d 2%nat)); [apply edge_below_seen_size|].
+      rewrite D1, D2, D4. apply vec_eq; cbn; ring.
+    + rewrite L3, <- EG. generalize (second_below_seen_size (d 1%nat) (d 2%nat)) (seen_size_nonneg (d 1%nat) (d 2%nat)).
+      lra.
+    + exact (Square R10).
+    + apply height_needs.
+Qed.
+End Triangle.
+
+(* The facet of p0p1 is left through the triangle p0 p1 p2, and the next facet's edge is p0p2. t is the true direction,
+   and sigma the sign of <t, g>, or of the angle's form. *)
+Theorem triangle_right : forall y t sigma, let p k := point y k in
+  known_on_doubles (vsub (p 1%nat) (p 0%nat)) t y -> area_vector (p 0%nat) (p 1%nat) (p 2%nat) <> vzero ->
+  way_of_sign (p 0%nat) (p 1%nat) (p 2%nat) t sigma -> run y Code.AcrossTriangle.is_known = Some Positive ->
+  (forall e, In e (Code.AcrossTriangle.u_x :: Code.AcrossTriangle.u_y :: Code.AcrossTriangle.u_z ::
+    Code.AcrossTriangle.error :: nil) -> finite (on_doubles y e)) /\
+  known (vsub (p 2%nat) (p 0%nat))
+    (vscale sigma (step (p 0%nat) (p 1%nat) (p 2%nat) t (p 0%nat) (p 2%nat)))
+    (V (val (on_doubles y Code.AcrossTriangle.u_x)) (val (on_doubles y Code.AcrossTriangle.u_y))
+      (val (on_doubles y Code.AcrossTriangle.u_z))) (val (on_doubles y Code.AcrossTriangle.error)).
+Proof.
+  intros y t sigma p K Area Way H. apply (across_right in_triangle _ _ _ _ _ _ _ y triangle_match H). intros x Run.
+  destruct (direction_of_passage triangle_pairs (Given 3) (Given 4) (Given 1) (Dot (Given 4) (Given 3)) (seen_square 1
+    2)
+    one _ _ _ K) as [F Kx].
+  exact (behind_right _ _ _ _ _ _ _ _ _ _ _ (triangle_is_good y Area) F Kx Way Run).
+Qed.
