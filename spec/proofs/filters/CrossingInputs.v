@@ -297,6 +297,51 @@ Proof.
   replace (Q2R (442 # 100)) with 4.42 in H by (unfold Q2R; cbn; lra). exact H.
 Qed.
 
+(* The squared size of the way and the ratio of areas are not negative. *)
+Lemma squared_positive : forall x e, not_negative (on_doubles x (squared e)).
+Proof. intros x e. apply square_not_negative. Qed.
+Lemma ratio_positive : forall x i j, not_negative (on_doubles x (ratio_of_areas i j)).
+Proof.
+  intros x i j. assert (N : not_negative (on_doubles x (Div (Mul area_at_q area_at_q) (Mul (area_at_corner i j)
+    (area_at_corner i j))))) by (apply div_positive; apply square_not_negative).
+  unfold ratio_of_areas.
+  destruct (compare_doubles Less (on_doubles x (Cst 0 0)) (on_doubles x (area_at_corner i j))) eqn:H.
+  - rewrite (choose_yes _ _ _ _ _ H). exact N.
+  - rewrite (choose_no _ _ _ _ _ H). right. reflexivity.
+Qed.
+
+Lemma height_with_areas : forall (x w : nat -> double) i j a b t0 t1 e n L,
+  let v k := value_of_vector (fun n => val (w n)) k in let X n := val (x n) in
+  x 15%nat = on_doubles w (edot (given i) (given j)) -> x 17%nat = on_doubles w (ratio_of_areas i j) ->
+  finite (x 15%nat) -> finite (x 17%nat) ->
+  vapprox 1 (v 1%nat) a -> vapprox 1 (v 2%nat) b -> vapprox 1 (v i) t0 -> vapprox 1 (v j) t1 ->
+  vapprox 1 (value_of_vector X 6) e -> vapprox 1 (value_of_vector X 7) n ->
+  / 10 ^ 26 <= len e <= 10 ^ 26 -> / 10 ^ 26 <= len n <= 10 ^ 26 -> / 10 ^ 26 <= L <= 10 ^ 40 ->
+  L <= 10 ^ 14 * len a -> L <= 10 ^ 14 * len b -> len e <= L -> len t0 <= L -> len t1 <= L ->
+  L * L * (1 - 14 * u) <= X 16%nat -> height_value x <= 10 ^ 30 * (L * L) ->
+  true_height t0 t1 (cross a b) (cross t0 t1) n e * (1 - 20 * u) <= height_value x.
+Proof.
+  intros x w i j a b t0 t1 e n L v X E15 E17 F15 F17 Va Vb V0 V1 Ve Vn Be Bn BL La Lb Le L0 L1 Square Top.
+  rewrite E15 in F15. rewrite E17 in F17. destruct (dot_parts w i j F15) as [Fij Edot].
+  assert (Big : forall k t, vapprox 1 (v k) t -> len t <= L -> len (v k) <= bpow radix2 134).
+  { intros k t V Ht. assert (N := vapprox_len _ _ V). assert (T := len_from (v k) t).
+    apply Rle_trans with (10 ^ 40 * 2).
+    - generalize u_val. intro Hu. rewrite Hu in *. lra.
+    - change (bpow radix2 134) with (IZR (2 ^ 134)). rewrite pow_IZR, <- mult_IZR. apply IZR_le, Z.leb_le. vm_compute.
+      reflexivity. }
+  destruct (ratio_is_right w i j (fun n Hn => proj1 (Fij n Hn)) (fun n Hn => proj2 (Fij n Hn)) (Big _ _ V0 L0)
+    (Big _ _ V1 L1) F17) as [Positive [Square_positive Eratio]].
+  fold (v i) (v j) (v 1%nat) (v 2%nat) in Positive, Square_positive, Eratio.
+  unfold height_value in *. fold (X 15%nat) (X 16%nat) (X 17%nat) in *.
+  assert (E15' : X 15%nat = rdot (v i) (v j)) by (unfold X; rewrite E15; exact Edot).
+  assert (E17' : X 17%nat = area_ratio (area_here (area_error w) (v 1%nat) (v 2%nat))
+    (area_there (area_error w) (v i) (v j))) by (unfold X; rewrite E17; exact Eratio).
+  rewrite E15', E17' in *.
+  apply (height_of_areas a b t0 t1 e n (v 1%nat) (v 2%nat) (v i) (v j) (value_of_vector X 6) (value_of_vector X 7) L
+    (X 16%nat) (area_error w) _ Va Vb V0 V1 Ve Vn Be Bn (proj1 BL) La Lb Le L0 L1 Square (area_needs w) (height_needs x)
+    Positive Square_positive Top).
+Qed.
+
 (* What step_across() knows of the direction before a facet. *)
 Lemma direction_of_passage : forall pairs drop e next angle size ratio edge t y, known_on_doubles edge t y ->
   let x n := on_doubles y (passage pairs drop e next angle size ratio n) in

@@ -1,15 +1,13 @@
 (* `triangle_right`, `corner_right`, `polygon_right`: where step_across() of src/flow/kernels/direction_across.h says
-  that
-   the direction behind a facet is known, it is, on doubles, for all points. The facet is left through a triangle, over
-   to an edge of a polygon that keeps one end of the facet's edge, or to one that keeps none. *)
+   that the direction behind a facet is known, it is, on doubles, for all points. The facet is left through a triangle,
+   or through a polygon, to an edge of it that keeps one end of the facet's edge or none. *)
 From Coq Require Import Reals ZArith QArith Qreals Lra Lia Psatz Bool List.
 From Flocq Require Import Core BinarySingleNaN.
 From Flowcert Require Import algebra.Vector3 algebra.Cascade algebra.Crossing code.Expression code.generated.Constants
   filters.Rounding filters.RoundedVectors filters.Norms filters.Floors filters.Doubles filters.Terms filters.Filter
   filters.Directions filters.DirectionSigns filters.DirectionVectors filters.DirectionOfVector filters.DirectionStarts
   filters.CrossingLengths filters.CrossingAreas filters.CrossingVectors filters.CrossingKnown filters.CrossingTerms
-  filters.CrossingOnDoubles filters.CrossingBehind
-  filters.CrossingInputs.
+  filters.CrossingOnDoubles filters.CrossingBehind filters.CrossingInputs.
 From Flowcert Require filters.Cells.
 Open Scope R_scope.
 
@@ -130,4 +128,100 @@ Proof.
     2)
     one _ _ _ K) as [F Kx].
   exact (behind_right _ _ _ _ _ _ _ _ _ _ _ (triangle_is_good y Area) F Kx Way Run).
+Qed.
+
+(* ---- Through a polygon, to an edge that keeps one end ---- *)
+
+Section Corner.
+Variable y : nat -> double.
+Let p k := point y k.
+Let w n := on_doubles y (inputs corner_pairs n).
+Let x n := on_doubles y (in_corner n).
+Let d k := value_of_vector (exact_inputs corner_pairs y) k.
+Let v k := value_of_vector (fun n => val (w n)) k.
+Let G := seen_from (p 0%nat) (p 1%nat) (p 2%nat).
+Let L := G + len (d 3%nat).
+
+Lemma corner_is_good : polygon (p 0%nat) (p 1%nat) (p 2%nat) (p 0%nat) (p 3%nat) (p 1%nat) ->
+  good_passage x (p 0%nat) (p 1%nat) (p 2%nat) (p 0%nat) (p 3%nat) (p 1%nat) (len (d 3%nat)) L.
+Proof.
+  intro Poly. generalize u_pos u_val. intros U0 Hu.
+  assert (D1 : d 1%nat = vsub (p 2%nat) (p 0%nat)) by reflexivity.
+  assert (D2 : d 2%nat = vsub (p 2%nat) (p 1%nat)) by reflexivity.
+  assert (D3 : d 3%nat = vsub (p 1%nat) (p 3%nat)) by reflexivity.
+  assert (D4 : d 4%nat = vsub (p 1%nat) (p 0%nat)) by reflexivity.
+  assert (D5 : d 5%nat = vsub (p 3%nat) (p 0%nat)) by reflexivity.
+  assert (EG : seen_size (d 1%nat) (d 2%nat) = G) by (unfold G, seen_from; rewrite D1, D2; reflexivity).
+  assert (Part : forall n e, in_corner n = replace (inputs corner_pairs) e -> x n = on_doubles w e)
+    by (intros n e E; unfold x, w; rewrite E; apply on_doubles_replace).
+  assert (Seen : square_in_range x seen_square_size -> vapprox 1 (v 1%nat) (d 1%nat) /\ vapprox 1 (v 2%nat) (d 2%nat) /\
+    / 10 ^ 26 <= G <= 10 ^ 26 /\ G * (1 - 4.01 * u) <= rnd (sqrt (val (on_doubles w (seen_square 1 2))))).
+  { intro R. apply (square_in_range_same x w seen_square_size (seen_square 1 2) (Part 10%nat _ eq_refl)) in R.
+    destruct (seen_is_near corner_pairs y R) as [[_ V1] [[_ V2] [_ [HG Low]]]].
+    change (value_of_vector (exact_inputs corner_pairs y) 1) with (d 1%nat) in V1, HG, Low.
+    change (value_of_vector (exact_inputs corner_pairs y) 2) with (d 2%nat) in V2, HG, Low. rewrite EG in HG, Low.
+    exact (conj V1 (conj V2 (conj HG Low))). }
+  assert (V3 : (forall n, (6 <= n <= 23)%nat -> n <> 11%nat -> finite (x n)) -> vapprox 1 (v 3%nat) (d 3%nat)).
+  { intro F. apply (vector_is_near corner_pairs y 2). intros [|[|[|i]]] Hi; [| | | lia].
+    - exact (F 12%nat ltac:(lia) ltac:(lia)).
+    - exact (F 13%nat ltac:(lia) ltac:(lia)).
+    - exact (F 14%nat ltac:(lia) ltac:(lia)). }
+  assert (Square : (forall n, (6 <= n <= 23)%nat -> n <> 11%nat -> finite (x n)) ->
+    square_in_range x seen_square_size -> L * L * (1 - 14 * u) <= val (x 16%nat)).
+  { intros F R. destruct (Seen R) as [_ [_ [HG Low]]]. assert (F16 := F 16%nat ltac:(lia) ltac:(lia)).
+    rewrite (Part 16%nat (squared (Add (Root (seen_square 1 2)) (Root (square 3)))) eq_refl) in F16 |- *.
+    destruct (mul_parts w _ _ F16) as [Fs [_ E]]. destruct (add_parts w _ _ Fs) as [Fr [F3 E1]].
+    destruct (root_parts w _ Fr) as [_ E2]. destruct (root_parts w _ F3) as [Fq E3].
+    destruct (square_back w 3 Fq) as [_ E4]. unfold squared. rewrite E, E1, E2, E3, E4.
+    exact (size_of_corner G _ (d 3%nat) (v 3%nat) (proj1 HG) Low (fmt_rnd _) (V3 F)). }
+  assert (R6 : square_in_range x (square 6) -> vapprox 1 (v 4%nat) (d 4%nat) /\ / 10 ^ 26 <= len (d 4%nat) <= 10 ^ 26).
+  { intro R. apply (edge_of_passage corner_pairs y 3).
+    exact (square_in_range_same x w (square 6) (square 4) eq_refl R). }
+  assert (R7 : square_in_range x (square 7) -> vapprox 1 (v 5%nat) (d 5%nat) /\ / 10 ^ 26 <= len (d 5%nat) <= 10 ^ 26).
+  { intro R. apply (edge_of_passage corner_pairs y 4).
+    exact (square_in_range_same x w (square 7) (square 5) eq_refl R). }
+  split.
+  - exact Poly.
+  - rewrite (Part 16%nat (squared (Add (Root (seen_square 1 2)) (Root (square 3)))) eq_refl). apply squared_positive.
+  - rewrite (Part 17%nat (ratio_of_areas 4 3) eq_refl). apply ratio_positive.
+  - intros F R. assert (ED : D (p 0%nat) (p 1%nat) (p 0%nat) (p 3%nat) = d 3%nat).
+    { rewrite D3. apply vec_eq; cbn; ring. }
+    apply (inputs_of_passage corner_pairs y (Given 3) (Given 4) (Given 5) (Dot (Given 4) (Given 3))
+      (squared (Add (Root (seen_square 1 2)) (Root (square 3)))) (ratio_of_areas 4 3) _ _ _ _ _ _ _ D1 D2 F R).
+    + rewrite ED. lra.
+    + rewrite ED. eapply Rle_trans; [exact (vapprox_len _ _ (V3 F))|]. apply Rmult_le_compat_r; [apply len_nonneg |
+      lra].
+    + right. reflexivity.
+    + exact (Square F R).
+  - intro R. destruct (R7 R) as [V5 B]. rewrite <- D5. split; [exact (vapprox_len _ _ V5) | exact B].
+  - intros F R10 R6' R7' Sq La Lb Top. destruct (R6 R6') as [V4 B4]. destruct (R7 R7') as [V5 B5].
+    destruct (Seen R10) as [V1 [V2 [HG _]]]. assert (L3 := len_nonneg (d 3%nat)).
+    assert (L4 : len (d 4%nat) <= G).
+    { rewrite <- EG. replace (d 4%nat) with (vsub (d 1%nat) (d 2%nat)); [apply edge_below_seen_size|].
+      rewrite D1, D2, D4. apply vec_eq; cbn; ring. }
+    assert (L1 : len (d 1%nat) <= G).
+    { rewrite <- EG. eapply Rle_trans; [|apply sum_below_seen_size]. generalize (len_nonneg (d 2%nat)). lra. }
+    rewrite <- D1 in La. rewrite <- D2 in Lb.
+    apply (height_with_areas x w 4 3 (d 1%nat) (d 2%nat) (d 4%nat) (d 3%nat) (d 4%nat) (d 5%nat) L
+      (Part 15%nat _ eq_refl) (Part 17%nat _ eq_refl) (F 15%nat ltac:(lia) ltac:(lia)) (F 17%nat ltac:(lia) ltac:(lia))
+      V1 V2 V4 (V3 F) V4 V5 B4 B5); try assumption; unfold L in *; lra.
+Qed.
+End Corner.
+
+(* The next edge is p0p3, where the corners of the polygon lie on one circle. *)
+Theorem corner_right : forall y t sigma, let p k := point y k in
+  known_on_doubles (vsub (p 1%nat) (p 0%nat)) t y ->
+  polygon (p 0%nat) (p 1%nat) (p 2%nat) (p 0%nat) (p 3%nat) (p 1%nat) ->
+  way_of_sign (p 0%nat) (p 1%nat) (p 2%nat) t sigma -> run y Code.AcrossCorner.is_known = Some Positive ->
+  (forall e, In e (Code.AcrossCorner.u_x :: Code.AcrossCorner.u_y :: Code.AcrossCorner.u_z ::
+    Code.AcrossCorner.error :: nil) -> finite (on_doubles y e)) /\
+  known (vsub (p 3%nat) (p 0%nat))
+    (vscale sigma (step (p 0%nat) (p 1%nat) (p 2%nat) t (p 0%nat) (p 3%nat)))
+    (V (val (on_doubles y Code.AcrossCorner.u_x)) (val (on_doubles y Code.AcrossCorner.u_y))
+      (val (on_doubles y Code.AcrossCorner.u_z))) (val (on_doubles y Code.AcrossCorner.error)).
+Proof.
+  intros y t sigma p K Poly Way H. apply (across_right in_corner _ _ _ _ _ _ _ y corner_match H). intros x Run.
+  destruct (direction_of_passage corner_pairs (Given 3) (Given 4) (Given 5) (Dot (Given 4) (Given 3))
+    (squared (Add (Root (seen_square 1 2)) (Root (square 3)))) (ratio_of_areas 4 3) _ _ _ K) as [F Kx].
+  exact (behind_right _ _ _ _ _ _ _ _ _ _ _ (corner_is_good y Poly) F Kx Way Run).
 Qed.
