@@ -25,9 +25,8 @@ Proof.
   eapply Rle_trans; [apply len_triangle|]. assert (T2 := len_triangle (vsub ac a) (vsub bc b)).
   assert (u * len (vadd ac bc) <= u * ((1 + u) * (len a + len b))) by (apply Rmult_le_compat_l; lra).
   assert (0 <= u * (len a + len b)) by (apply Rmult_le_pos; lra).
-  assert (u * (u * (len a + len b)) <= 0.0001 * (u * (len a + len b))) by (apply Rmult_le_compat_r; [assumption |
-    rewrite
-    Hu; lra]). lra.
+  assert (u * (u * (len a + len b)) <= 0.0001 * (u * (len a + len b)))
+    by (apply Rmult_le_compat_r; [assumption | rewrite Hu; lra]). lra.
 Qed.
 Lemma angle_is_near : forall a b ac bc G, vapprox 1 ac a -> vapprox 1 bc b -> / 10 ^ 26 <= G ->
   4 * (len a * len b) <= G * G -> Rabs (rdot ac bc - dot a b) <= 1.3 * u * (G * G).
@@ -106,15 +105,15 @@ End Vectors.
 (* ---- The ratio of areas ---- *)
 
 Lemma root_of_square_forward : forall (s : double) k, (-500 <= k)%Z -> finite s -> 0 <= val s <= bpow radix2 (k + k) ->
-  finite (Bsqrt mode_NE s) /\ val (Bsqrt mode_NE s) = rnd (sqrt (val s)) /\ Rabs (val (Bsqrt mode_NE s)) <= bpow radix2
-    k.
+  finite (Bsqrt mode_NE s) /\ val (Bsqrt mode_NE s) = rnd (sqrt (val s)) /\
+  Rabs (val (Bsqrt mode_NE s)) <= bpow radix2 k.
 Proof.
   intros s k K F [P B].
   assert (R : finite (Bsqrt mode_NE s)).
   { destruct (Rlt_le_dec 0 (val s)) as [L|L]; [apply (root_forward s F L)|].
     destruct s as [t|t| |t m e H]; try discriminate; [reflexivity|]. exfalso. unfold val in *. cbn in P, L.
-    assert (Z : F2R (Float radix2 (SpecFloat.cond_Zopp t (Zpos m)) e) = 0) by lra. apply eq_0_F2R in Z. destruct t;
-    discriminate. }
+    assert (Z : F2R (Float radix2 (SpecFloat.cond_Zopp t (Zpos m)) e) = 0) by lra. apply eq_0_F2R in Z.
+    destruct t; discriminate. }
   destruct (root_back s R) as [_ E]. split; [exact R|]. split; [exact E|]. rewrite E. apply rnd_power; [lia|].
   rewrite Rabs_pos_eq by apply sqrt_pos. rewrite <- (sqrt_square (bpow radix2 k)) by apply bpow_ge_0.
   apply sqrt_le_1_alt. rewrite <- bpow_plus. exact B.

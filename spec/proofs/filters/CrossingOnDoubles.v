@@ -35,9 +35,8 @@ Lemma div_parts : forall x a b, finite (on_doubles x b) -> finite (on_doubles x 
   finite (on_doubles x a) /\ val (on_doubles x b) <> 0 /\
   val (on_doubles x (Div a b)) = rnd (val (on_doubles x a) / val (on_doubles x b)).
 Proof.
-  intros x a b Fb F. cbn [on_doubles] in *. generalize dependent (on_doubles x a). generalize dependent (on_doubles x
-    b).
-  clear. intros b Fb a F. unfold finite, val in *.
+  intros x a b Fb F. cbn [on_doubles] in *. generalize dependent (on_doubles x a).
+  generalize dependent (on_doubles x b). clear. intros b Fb a F. unfold finite, val in *.
   assert (N : B2R b <> 0).
   { destruct b as [s|s| |s m e H]; try discriminate.
     - exfalso. destruct a as [t|t| |t n f G]; discriminate.
@@ -324,8 +323,7 @@ Proof.
       (K kHeightBound eq_refl) size_is_positive)) (root_positive x _ Nq)). }
   assert (Nt : not_negative (on_doubles x turn_behind)).
   { exact (mul_positive x _ _ (mul_positive x _ _ (mul_positive x _ _ (mul_positive x _ _ (C 2%Z ltac:(lia)) Nla) Nh)
-    Ni)
-      Ni). }
+      Ni) Ni). }
   assert (Nn : not_negative (on_doubles x norm_behind)).
   { exact (mul_positive x _ _ (mul_positive x _ _ (C 1%Z ltac:(lia)) (most_positive x _ _ Nla Nh)) Ni). }
   assert (Nr : not_negative (on_doubles x rounding_behind)).
@@ -407,9 +405,8 @@ Proof.
   { unfold value, height_value, height_behind. rewrite Eh, Eh1, Eh2, Eh3. unfold scaling_behind.
     rewrite Esc, Eq, Eq1, Eee, Enn. reflexivity. }
   assert (Et' : value turn_behind = turn).
-  { unfold value, turn, way_turn, turn_behind. rewrite Et3, Et4, Et5, Et6. fold (value angle_behind) (value
-    height_behind)
-      (value inverse_behind). rewrite Ea', Eh', Ei'. reflexivity. }
+  { unfold value, turn, way_turn, turn_behind. rewrite Et3, Et4, Et5, Et6.
+    fold (value angle_behind) (value height_behind) (value inverse_behind). rewrite Ea', Eh', Ei'. reflexivity. }
   assert (En' : value norm_behind = norm).
   { unfold value, norm, way_norm, norm_behind. rewrite En1, En2. fold (value angle_behind) (value height_behind)
       (value inverse_behind). rewrite Ea', Eh', Ei'. reflexivity. }
@@ -433,8 +430,8 @@ Proof.
     + apply (Fg 0%nat). lia.
     + apply (Fg 1%nat). lia.
     + apply (Fg 2%nat). lia.
-    + destruct n as [|[|[|[|[|[|n]]]]]]; try (exact F12 || exact F13 || exact F14 || exact F15 || exact F16 || exact
-      F17).
+    + destruct n as [|[|[|[|[|[|n]]]]]]; try (exact F12 || exact F13 || exact F14 || exact F15 || exact F16 ||
+        exact F17).
       destruct n as [|[|[|[|[|[|n]]]]]]; try lia;
         [ apply (Fe 0%nat) | apply (Fe 1%nat) | apply (Fe 2%nat) | apply (Fn 0%nat) | apply (Fn 1%nat)
         | apply (Fn 2%nat) ]; lia.
