@@ -19,43 +19,51 @@ BOUNDS, GRID = "src/geometry/filter_bounds.h", "src/geometry/integer_grid.h"
 PREDICATES, VECTORS = "src/geometry/predicates.h", "src/geometry/vector3.h"
 FORMS, DISTANCES = "src/geometry/tetrahedron_forms.h", "src/geometry/distance_filter.h"
 DOUBLED = "src/geometry/double_double.h"
-DIRECTIONS, DIRECTION_BOUNDS = "src/flow/kernels/direction.h", "src/flow/kernels/direction_bounds.h"
+DIRECTIONS, ACROSS = "src/flow/kernels/direction.h", "src/flow/kernels/direction_across.h"
+DIRECTION_BOUNDS = "src/flow/kernels/direction_bounds.h"
 
 # NAME: the file, what the proof needs, the value 1 % beyond that (of bits, one more), and the file that fails.
-CONSTANTS = {
-    "kUnitRoundoff": (BOUNDS, "0x1p-53", "0.99 * 0x1p-53", "filters/Predicates.v"),
-    "kSmallestNorm": (BOUNDS, "1e-42", "0.99e-42", "filters/Predicates.v"),
-    "kLargestNorm": (BOUNDS, "1.001e42", "1.012e42", "filters/Predicates.v"),
-    "kAngleBound": (BOUNDS, "5.001", "4.951", "filters/Predicates.v"),
-    "kOrientationBound": (BOUNDS, "8.415", "8.331", "filters/Predicates.v"),
-    "kSideOfPlaneBound": (BOUNDS, "19.829", "19.631", "filters/Predicates.v"),
-    "kOutsideSphereBound": (BOUNDS, "17.415", "17.241", "filters/Predicates.v"),
-    "kOutsideCircleBound": (BOUNDS, "22.829", "22.601", "filters/Predicates.v"),
-    "kCellAngleBound": (BOUNDS, "28.001", "27.721", "filters/Cells.v"),
-    "kCellSideBound": (BOUNDS, "19.829", "19.631", "filters/Cells.v"),
-    "kFarCellSideBound": (BOUNDS, "27.902", "27.623", "filters/Cells.v"),
-    "kExactReach": (BOUNDS, "305", "309", "filters/Exact.v"),
-    "kDistanceBound": (BOUNDS, "10.04", "9.94", "filters/Distances.v"),
-    "kPositionBound": (BOUNDS, "3.465", "3.43", "filters/Distances.v"),
-    "kDistanceUnderflow": (BOUNDS, "4e-150", "3.96e-150", "filters/Distances.v"),
-    "kLargestDistance": (BOUNDS, "2e151", "2.02e151", "filters/Distances.v"),
-    "kSmallBits": (GRID, "18", "19", "widths/Widths.v"),
-    "kNarrowBits": (GRID, "61", "62", "widths/Widths.v"),
-    "kWideBits": (GRID, "83", "84", "widths/Widths.v"),
-    "kRoundoff": (DOUBLED, "15 * 0x1p-106", "14.85 * 0x1p-106", "filters/DoubleDouble.v"),
-    "kSmallestSquare": (DIRECTION_BOUNDS, "0.999e-50", "0.989e-50", "filters/Directions.v"),
-    "kLargestSquare": (DIRECTION_BOUNDS, "1.001e50", "1.012e50", "filters/Directions.v"),
-    "kExitBound": (DIRECTION_BOUNDS, "19.17", "18.978", "filters/DirectionSigns.v"),
-    "kNormalBound": (DIRECTION_BOUNDS, "22.06", "21.839", "filters/DirectionSigns.v"),
-    "kOrderBound": (DIRECTION_BOUNDS, "6.86", "6.791", "filters/DirectionOrder.v"),
-    "kOrderTurn": (DIRECTION_BOUNDS, "0.25", "0.2475", "filters/DirectionOrder.v"),
-    "kLargestError": (DIRECTION_BOUNDS, "0.0625", "0.0632", "filters/DirectionOfVector.v"),
-    "kTangentOfSine": (DIRECTION_BOUNDS, "2", "1.98", "filters/DirectionOfVector.v"),
-    "kVertexStartBound": (DIRECTION_BOUNDS, "21.5", "21.285", "filters/DirectionAtVertex.v"),
-    "kSideStartBound": (DIRECTION_BOUNDS, "23.01", "22.779", "filters/DirectionAtSide.v"),
-    "kAngleFormBound": (DIRECTION_BOUNDS, "1.3", "1.287", "filters/DirectionAtSide.v"),
-    "kCircleStartBound": (DIRECTION_BOUNDS, "24", "23.76", "filters/DirectionOnCircle.v"),
-}
+CONSTANTS = [
+    ("kUnitRoundoff", BOUNDS, "0x1p-53", "0.99 * 0x1p-53", "filters/Predicates.v"),
+    ("kSmallestNorm", BOUNDS, "1e-42", "0.99e-42", "filters/Predicates.v"),
+    ("kLargestNorm", BOUNDS, "1.001e42", "1.012e42", "filters/Predicates.v"),
+    ("kAngleBound", BOUNDS, "5.001", "4.951", "filters/Predicates.v"),
+    ("kOrientationBound", BOUNDS, "8.415", "8.331", "filters/Predicates.v"),
+    ("kSideOfPlaneBound", BOUNDS, "19.829", "19.631", "filters/Predicates.v"),
+    ("kOutsideSphereBound", BOUNDS, "17.415", "17.241", "filters/Predicates.v"),
+    ("kOutsideCircleBound", BOUNDS, "22.829", "22.601", "filters/Predicates.v"),
+    ("kCellAngleBound", BOUNDS, "28.001", "27.721", "filters/Cells.v"),
+    ("kCellSideBound", BOUNDS, "19.829", "19.631", "filters/Cells.v"),
+    ("kFarCellSideBound", BOUNDS, "27.902", "27.623", "filters/Cells.v"),
+    ("kExactReach", BOUNDS, "305", "309", "filters/Exact.v"),
+    ("kDistanceBound", BOUNDS, "10.04", "9.94", "filters/Distances.v"),
+    ("kPositionBound", BOUNDS, "3.465", "3.43", "filters/Distances.v"),
+    ("kDistanceUnderflow", BOUNDS, "4e-150", "3.96e-150", "filters/Distances.v"),
+    ("kLargestDistance", BOUNDS, "2e151", "2.02e151", "filters/Distances.v"),
+    ("kSmallBits", GRID, "18", "19", "widths/Widths.v"),
+    ("kNarrowBits", GRID, "61", "62", "widths/Widths.v"),
+    ("kWideBits", GRID, "83", "84", "widths/Widths.v"),
+    ("kRoundoff", DOUBLED, "15 * 0x1p-106", "14.85 * 0x1p-106", "filters/DoubleDouble.v"),
+    ("kSmallestSquare", DIRECTION_BOUNDS, "0.999e-50", "0.989e-50", "filters/Directions.v"),
+    ("kLargestSquare", DIRECTION_BOUNDS, "1.001e50", "1.012e50", "filters/Directions.v"),
+    ("kExitBound", DIRECTION_BOUNDS, "19.17", "18.978", "filters/DirectionSigns.v"),
+    ("kNormalBound", DIRECTION_BOUNDS, "22.06", "21.839", "filters/DirectionSigns.v"),
+    ("kOrderBound", DIRECTION_BOUNDS, "6.86", "6.791", "filters/DirectionOrder.v"),
+    ("kOrderTurn", DIRECTION_BOUNDS, "0.25", "0.2475", "filters/DirectionOrder.v"),
+    ("kLargestError", DIRECTION_BOUNDS, "0.0625", "0.0632", "filters/DirectionOfVector.v"),
+    ("kTangentOfSine", DIRECTION_BOUNDS, "2", "1.98", "filters/DirectionOfVector.v"),
+    ("kVertexStartBound", DIRECTION_BOUNDS, "21.5", "21.285", "filters/DirectionAtVertex.v"),
+    ("kSideStartBound", DIRECTION_BOUNDS, "23.01", "22.779", "filters/DirectionAtSide.v"),
+    ("kAngleFormBound", DIRECTION_BOUNDS, "1.3", "1.287", "filters/DirectionAtSide.v"),
+    ("kCircleStartBound", DIRECTION_BOUNDS, "24", "23.76", "filters/DirectionOnCircle.v"),
+    ("kExitBound", DIRECTION_BOUNDS, "19.3", "19.107", "filters/CrossingBehind.v"),
+    ("kAngleFormBound", DIRECTION_BOUNDS, "1.6", "1.584", "filters/CrossingBehind.v"),
+    ("kCrossingBound", DIRECTION_BOUNDS, "36.5", "36.135", "filters/CrossingBehind.v"),
+    ("kTangentBehind", DIRECTION_BOUNDS, "6", "5.94", "filters/CrossingBehind.v"),
+    ("kTangentBehind", DIRECTION_BOUNDS, "8", "8.08", "filters/CrossingBehind.v"),
+    ("kHeightBound", DIRECTION_BOUNDS, "5.02", "4.97", "filters/CrossingInputs.v"),
+    ("kAreaBound", DIRECTION_BOUNDS, "4.42", "4.376", "filters/CrossingInputs.v"),
+]
 # NAME: the file, what is in it, what stands there instead, and the file that fails.
 CHANGES = {
     "a sign of the cross product": (VECTORS, "u.y * v.z - u.z * v.y", "u.y * v.z + u.z * v.y", "filters/Predicates.v"),
@@ -93,6 +101,15 @@ CHANGES = {
                                                 "(na + nb + nc + length(w0))", "filters/DirectionStarts.v"),
     "the side of a circle's centre": (DIRECTIONS, "Number(1), Number(-1))", "Number(-1), Number(1))",
                                       "filters/DirectionAtSide.v"),
+    "a sign of the map of a crossing (also in lanes)": (ACROSS, "approach * way.drop + Number(2)",
+                                                         "approach * way.drop - Number(2)", "filters/CrossingTerms.v"),
+    "a factor of a crossing's determinant (also in lanes)": (ACROSS, "Number(4) * angle * height",
+                                                              "Number(2) * angle * height", "filters/CrossingTerms.v"),
+    "an association in a crossing's error (also in lanes)": (
+        ACROSS, "(turn + norm) * x.error + rounding", "turn * x.error + (norm * x.error + rounding)",
+        "filters/CrossingTerms.v"),
+    "the sign of an area's rounding": (ACROSS, "cross(to_0, to_1)) - rounding", "cross(to_0, to_1)) + rounding",
+                                       "filters/CrossingTerms.v"),
     "a range that a start at a circle needs": (
         DIRECTIONS, "Precision<Number>::is_in_range(aa) & Precision<Number>::is_in_range(bb)",
         "Precision<Number>::is_in_range(aa)", "filters/DirectionOnCircle.v"),
@@ -100,7 +117,7 @@ CHANGES = {
 
 
 def changes():
-    for name, (path, needed, beyond, proof) in CONSTANTS.items():
+    for name, path, needed, beyond, proof in CONSTANTS:
         yield f"{name}: {beyond} instead of {needed}", path, rf"\b{name} = [^;]*;", f"{name} = {beyond};", proof
     for name, (path, old, new, proof) in CHANGES.items():
         yield name, path, re.escape(old), new.replace("\\", r"\\"), proof

@@ -34,13 +34,13 @@ inline constexpr double kVertexStartBound = 22;  // times |a||b||c| (|a|+|b|+|c|
 inline constexpr double kCircleStartBound = 24;  // times |a|^2 |b|^2 (|a|+|b|+W)
 inline constexpr double kSideStartBound = 24;    // times |e|^2 |c-p0|
 inline constexpr double kGivenStartBound = 8;    // relative
-inline constexpr double kCrossingBound = 40;     // times L^2
+inline constexpr double kCrossingBound = 37;     // times L^2
 inline constexpr double kAngleFormBound = 2;     // an angle h at q, times G^2
 inline constexpr double kHeightBound = 6;        // an angle at the corner that is left behind, times L^2
 inline constexpr double kExitBound = 20;         // <U,g>, times G
 inline constexpr double kOrderBound = 7;         // h_j <U,g_i> - h_i <U,g_j>, times G_i G_j (G_i + G_j)
 inline constexpr double kNormalBound = 23;       // <U,n>, times |b-a||c-a|
-inline constexpr double kAreaBound = 6;          // |a x b|, times |a||b|: 5.7
+inline constexpr double kAreaBound = 5;          // |a x b|, times |a||b|
 
 // ---- Constants of the bounds that are numbers ----
 

@@ -230,7 +230,7 @@ Definition x10 := Add (Abs (Var 9)) x6.
 Definition x11 := Mul (Add (Abs (Var 15)) (Mul (Mul (Cst 3 1) (Cst 1 (-53))) (Var 16))) (Root (Div (Mul (Var 17) x8)
   (Add (Add (Mul (Var 18) (Var 18)) (Mul (Var 19) (Var 19))) (Mul (Var 20) (Var 20))))).
 Definition x12 := Mul (Mul (Mul (Mul (Cst 1 2) x10) x11) x5) x5.
-Definition x13 := Mul (Mul (Mul (Cst 5 3) (Cst 1 (-53))) (Var 16)) x5.
+Definition x13 := Mul (Mul (Mul (Cst 37 0) (Cst 1 (-53))) (Var 16)) x5.
 Definition u_x := Mul x7 (Sub x2 (Mul x9 (Var 21))).
 Definition u_y := Mul x7 (Sub x3 (Mul x9 (Var 22))).
 Definition u_z := Mul x7 (Sub x4 (Mul x9 (Var 23))).
@@ -280,7 +280,7 @@ Definition x24 := Sub (Var 5) (Var 2).
 Definition x25 := Mul (Add (Abs (Add (Add (Mul x22 x9) (Mul x23 x13)) (Mul x24 x15))) (Mul (Mul (Cst 3 1) (Cst 1 (-53)))
   x7)) (Root (Div (Mul (Cst 1 0) x3) (Add (Add (Mul x22 x22) (Mul x23 x23)) (Mul x24 x24)))).
 Definition x26 := Mul (Mul (Mul (Mul (Cst 1 2) x21) x25) x17) x17.
-Definition x27 := Mul (Mul (Mul (Cst 5 3) (Cst 1 (-53))) x7) x17.
+Definition x27 := Mul (Mul (Mul (Cst 37 0) (Cst 1 (-53))) x7) x17.
 Definition u_x := Mul x19 (Sub x12 (Mul x20 x0)).
 Definition u_y := Mul x19 (Sub x14 (Mul x20 x1)).
 Definition u_z := Mul x19 (Sub x16 (Mul x20 x2)).
@@ -339,17 +339,17 @@ Definition x34 := Sub (Mul x29 x17) (Mul x30 x15).
 Definition x35 := Sub (Mul x30 x11) (Mul x28 x17).
 Definition x36 := Sub (Mul x28 x15) (Mul x29 x11).
 Definition x37 := Add (Add (Mul x28 x28) (Mul x29 x29)) (Mul x30 x30).
-Definition x38 := Sub (Root (Add (Add (Mul x34 x34) (Mul x35 x35)) (Mul x36 x36))) (Mul (Mul (Cst 3 (-52)) (Root x37))
+Definition x38 := Sub (Root (Add (Add (Mul x34 x34) (Mul x35 x35)) (Mul x36 x36))) (Mul (Mul (Cst 5 (-53)) (Root x37))
   x31).
 Definition x39 := Sub (Mul x1 x6) (Mul x2 x5).
 Definition x40 := Sub (Mul x2 x4) (Mul x0 x6).
 Definition x41 := Sub (Mul x0 x5) (Mul x1 x4).
-Definition x42 := Add (Root (Add (Add (Mul x39 x39) (Mul x40 x40)) (Mul x41 x41))) (Mul (Mul (Cst 3 (-52)) (Root x3))
+Definition x42 := Add (Root (Add (Add (Mul x39 x39) (Mul x40 x40)) (Mul x41 x41))) (Mul (Mul (Cst 5 (-53)) (Root x3))
   (Root x7)).
 Definition x43 := Mul (Add (Abs (Add (Add (Mul x28 x11) (Mul x29 x15)) (Mul x30 x17))) (Mul (Mul (Cst 3 1) (Cst 1
   (-53))) x33)) (Root (Div (Mul (Choose Less (Cst 0 0) x38 (Div (Mul x42 x42) (Mul x38 x38)) (Infinite)) x25) x37)).
 Definition x44 := Mul (Mul (Mul (Mul (Cst 1 2) x27) x43) x19) x19.
-Definition x45 := Mul (Mul (Mul (Cst 5 3) (Cst 1 (-53))) x33) x19.
+Definition x45 := Mul (Mul (Mul (Cst 37 0) (Cst 1 (-53))) x33) x19.
 Definition u_x := Mul x21 (Sub x14 (Mul x26 x22)).
 Definition u_y := Mul x21 (Sub x16 (Mul x26 x23)).
 Definition u_z := Mul x21 (Sub x18 (Mul x26 x24)).
@@ -410,12 +410,12 @@ Definition x36 := Mul x35 x35.
 Definition x37 := Sub (Mul x16 x33) (Mul x19 x32).
 Definition x38 := Sub (Mul x19 x31) (Mul x11 x33).
 Definition x39 := Sub (Mul x11 x32) (Mul x16 x31).
-Definition x40 := Sub (Root (Add (Add (Mul x37 x37) (Mul x38 x38)) (Mul x39 x39))) (Mul (Mul (Cst 3 (-52)) x34) (Root
+Definition x40 := Sub (Root (Add (Add (Mul x37 x37) (Mul x38 x38)) (Mul x39 x39))) (Mul (Mul (Cst 5 (-53)) x34) (Root
   (Add (Add (Mul x31 x31) (Mul x32 x32)) (Mul x33 x33)))).
 Definition x41 := Sub (Mul x1 x6) (Mul x2 x5).
 Definition x42 := Sub (Mul x2 x4) (Mul x0 x6).
 Definition x43 := Sub (Mul x0 x5) (Mul x1 x4).
-Definition x44 := Add (Root (Add (Add (Mul x41 x41) (Mul x42 x42)) (Mul x43 x43))) (Mul (Mul (Cst 3 (-52)) (Root x3))
+Definition x44 := Add (Root (Add (Add (Mul x41 x41) (Mul x42 x42)) (Mul x43 x43))) (Mul (Mul (Cst 5 (-53)) (Root x3))
   (Root x7)).
 Definition x45 := Sub (Var 3) (Var 0).
 Definition x46 := Sub (Var 4) (Var 1).
@@ -424,7 +424,7 @@ Definition x48 := Mul (Add (Abs (Add (Add (Mul x11 x31) (Mul x16 x32)) (Mul x19 
   (-53))) x36)) (Root (Div (Mul (Choose Less (Cst 0 0) x40 (Div (Mul x44 x44) (Mul x40 x40)) (Infinite)) x28) (Add (Add
   (Mul x45 x45) (Mul x46 x46)) (Mul x47 x47)))).
 Definition x49 := Mul (Mul (Mul (Mul (Cst 1 2) x30) x48) x22) x22.
-Definition x50 := Mul (Mul (Mul (Cst 5 3) (Cst 1 (-53))) x36) x22.
+Definition x50 := Mul (Mul (Mul (Cst 37 0) (Cst 1 (-53))) x36) x22.
 Definition u_x := Mul x24 (Sub x15 (Mul x29 x25)).
 Definition u_y := Mul x24 (Sub x18 (Mul x29 x26)).
 Definition u_z := Mul x24 (Sub x21 (Mul x29 x27)).
