@@ -21,6 +21,7 @@ FORMS, DISTANCES = "src/geometry/tetrahedron_forms.h", "src/geometry/distance_fi
 DOUBLED = "src/geometry/double_double.h"
 DIRECTIONS, ACROSS = "src/flow/kernels/direction.h", "src/flow/kernels/direction_across.h"
 DIRECTION_BOUNDS = "src/flow/kernels/direction_bounds.h"
+CROSSING_SPHERE = "src/flow/kernels/crossing_sphere.h"
 
 # NAME: the file, what the proof needs, the value 1 % beyond that (of bits, one more), and the file that fails.
 CONSTANTS = [
@@ -63,6 +64,11 @@ CONSTANTS = [
     ("kTangentBehind", DIRECTION_BOUNDS, "8", "8.08", "filters/CrossingBehind.v"),
     ("kHeightBound", DIRECTION_BOUNDS, "5.02", "4.97", "filters/CrossingInputs.v"),
     ("kAreaBound", DIRECTION_BOUNDS, "4.42", "4.376", "filters/CrossingInputs.v"),
+    ("kGivenStartBound", DIRECTION_BOUNDS, "4", "3.96", "filters/DirectionGiven.v"),
+    ("kCrossingSlack", DIRECTION_BOUNDS, "1.0001", "0.9901", "filters/CrossingPosition.v"),
+    ("kExitBound", DIRECTION_BOUNDS, "19.4", "19.206", "filters/CrossingPosition.v"),
+    ("kAngleFormBound", DIRECTION_BOUNDS, "1.31", "1.297", "filters/CrossingPosition.v"),
+    ("kCoordinateBound", CROSSING_SPHERE, "1.01", "1", "filters/CrossingPosition.v"),
 ]
 # NAME: the file, what is in it, what stands there instead, and the file that fails.
 CHANGES = {

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "flow/kernels/crossing_sphere.h"
 #include "flow/kernels/direction_bounds.h"
 #include "geometry/distance_filter.h"
 #include "geometry/double_double.h"
@@ -172,7 +173,8 @@ constexpr Constant kConstants[] = {CONSTANT(kUnitRoundoff),       CONSTANT(kSmal
                                    CONSTANT(kSmallestSquare),     CONSTANT(kLargestSquare),
                                    CONSTANT(kLargestError),       CONSTANT(kTangentOfSine),
                                    CONSTANT(kTangentBehind),      CONSTANT(kOrderTurn),
-                                   CONSTANT(kCrossingSlack),      {"kDoubledRoundoff", DoubleDouble::kRoundoff}};
+                                   CONSTANT(kCrossingSlack),      CONSTANT(kCoordinateBound),
+                                   {"kDoubledRoundoff", DoubleDouble::kRoundoff}};
 #undef CONSTANT
 
 void write(const std::filesystem::path& path, const std::string& text) {

@@ -39,4 +39,5 @@ Definition kTangentOfSine := (1, 1)%Z.
 Definition kTangentBehind := (1, 3)%Z.
 Definition kOrderTurn := (1, -2)%Z.
 Definition kCrossingSlack := (17, -4)%Z.
+Definition kCoordinateBound := (1, 1)%Z.
 Definition kDoubledRoundoff := (1, -102)%Z.
