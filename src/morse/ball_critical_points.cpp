@@ -1,0 +1,293 @@
+#include "morse/ball_critical_points.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "geometry/parallel_for.h"
+
+namespace flowcert::morse {
+
+namespace {
+
+using Ids = std::vector<std::uint32_t>;
+using Face = std::span<const std::uint32_t>;
+
+// A point at a distance, exact and in doubles.
+struct ExactPlace {
+  QuadraticNumber s;
+  Vector3<QuadraticNumber> x;
+  BoundedDouble near_s;
+  Vector3<BoundedDouble> near_x;
+};
+
+Vector3<QuadraticNumber> lifted(const Vector3<Rational>& v) { return {v.x, v.y, v.z}; }
+
+template <class Number>
+Number excess(const Vector3<Number>& x, const Number& s, const NumberBall<Number>& ball) {
+  const Vector3<Number> way = x - ball.centre;
+  const Number reach = s + ball.radius;
+  return dot(way, way) - reach * reach;
+}
+
+class Search {
+ public:
+  explicit Search(const BallDiagram& diagram) : diagram_(diagram), balls_(diagram.balls()) {}
+
+  // The points inside of faces of which these balls are the first.
+  std::vector<BallCriticalPoint> run(std::span<const std::uint32_t> ids) {
+    for (const std::uint32_t id : ids) {
+      see_faces<1>(id);
+      if (diagram_.dimension() >= 2) see_faces<2>(id);
+      if (diagram_.dimension() >= 3) see_faces<3>(id);
+    }
+    return std::move(found_);
+  }
+
+ private:
+  // The faces of which this ball is the first.
+  template <std::size_t kOthers>
+  void see_faces(std::uint32_t first) {
+    if (diagram_.dimension() < 1) return;
+    std::vector<std::array<std::uint32_t, kOthers>> faces;
+    const std::size_t corners = static_cast<std::size_t>(diagram_.dimension() + 1);
+    for (const std::uint32_t number : diagram_.star(first)) {
+      const BallDiagram::Corners& cell = diagram_.cells()[number];
+      const std::size_t place = static_cast<std::size_t>(std::ranges::find(cell, first) - cell.begin());
+      add_subsets<kOthers>(cell, place + 1, corners, faces);
+    }
+    std::ranges::sort(faces);
+    faces.erase(std::ranges::unique(faces).begin(), faces.end());
+    for (const auto& others : faces) {
+      std::array<std::uint32_t, kOthers + 1> face;
+      face[0] = first;
+      std::ranges::copy(others, face.begin() + 1);
+      see_face(face);
+    }
+  }
+
+  template <std::size_t kOthers>
+  static void add_subsets(const BallDiagram::Corners& cell, std::size_t from, std::size_t corners,
+                          std::vector<std::array<std::uint32_t, kOthers>>& faces) {
+    for (std::size_t i = from; i < corners; ++i) {
+      if constexpr (kOthers == 1) {
+        faces.push_back({cell[i]});
+      } else {
+        for (std::size_t j = i + 1; j < corners; ++j) {
+          if constexpr (kOthers == 2) {
+            faces.push_back({cell[i], cell[j]});
+          } else {
+            for (std::size_t k = j + 1; k < corners; ++k) faces.push_back({cell[i], cell[j], cell[k]});
+          }
+        }
+      }
+    }
+  }
+
+  std::uint32_t least_connected(Face face) const {
+    return *std::ranges::min_element(face, {}, [&](std::uint32_t id) { return diagram_.neighbours(id).size(); });
+  }
+
+  // ---- In doubles ----
+
+  void see_face(Face face) {
+    std::array<NumberBall<BoundedDouble>, 4> corners;
+    for (std::size_t k = 0; k < face.size(); ++k) corners[k] = number_ball<BoundedDouble>(balls_, face[k]);
+    const auto made = touching<BoundedDouble>(std::span<const NumberBall<BoundedDouble>>(corners.data(), face.size()));
+    if (!made) return see_exactly(face);
+    const BoundedDouble discriminant = made->c1 * made->c1 - made->c2 * made->c0;
+    const int sign = discriminant.certain_sign();
+    if (sign < 0) return;
+    if (sign == 0 || made->c2.certain_sign() == 0) return see_exactly(face);
+    // The root that is the sum of two numbers of one sign, and the other one by their product.
+    const BoundedDouble root = sqrt(discriminant);
+    const bool is_first = made->c1.value >= 0;
+    const BoundedDouble top = is_first ? -made->c1 - root : root - made->c1;
+    if (top.certain_sign() == 0) return see_exactly(face);
+    const std::array<BoundedDouble, 2> roots{is_first ? top / made->c2 : made->c0 / top,
+                                             is_first ? made->c0 / top : top / made->c2};
+    std::array<bool, 2> is_right{};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const int answer = is_critical(face, corners[0], *made, roots[k]);
+      if (answer == 0) return see_exactly(face);
+      is_right[k] = answer > 0;
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (is_right[k]) add(face, Ids(face.begin(), face.end()), face.size() - 1, k, roots[k]);
+    }
+  }
+
+  // 1 or -1 where it is certain, and 0 where it is not.
+  int is_critical(Face face, const NumberBall<BoundedDouble>& first, const Touching<BoundedDouble>& made,
+                  const BoundedDouble& s) const {
+    int answer = s.certain_sign();
+    if (answer < 0) return -1;
+    const auto take = [&answer](int sign) {
+      if (sign >= 0) answer = std::min(answer, sign);
+      return sign >= 0;
+    };
+    BoundedDouble rest(1);
+    for (std::size_t k = 0; k + 1 < face.size(); ++k) {
+      const BoundedDouble weight = made.u[k] + made.v[k] * s;
+      if (!take(sign_or_nothing(weight))) return -1;
+      rest = rest - weight;
+    }
+    if (!take(sign_or_nothing(rest))) return -1;
+    const Vector3<BoundedDouble> x = first.centre + made.a + s * made.b;
+    for (const std::uint32_t id : diagram_.neighbours(least_connected(face))) {
+      if (std::ranges::find(face, id) != face.end()) continue;
+      if (!take(sign_or_nothing(excess(x, s, number_ball<BoundedDouble>(balls_, id))))) return -1;
+    }
+    if (answer == 0) return 0;
+    // The ball with the fewest neighbours says whether another ball is nearer. One that is as near is a neighbour of
+    // some ball of the face.
+    for (const std::uint32_t id : face) {
+      if (!balls_.tangent_inside(id).empty()) return 0;
+      for (const std::uint32_t other : diagram_.neighbours(id)) {
+        if (std::ranges::find(face, other) != face.end()) continue;
+        if (sign_or_nothing(excess(x, s, number_ball<BoundedDouble>(balls_, other))) <= 0) return 0;
+      }
+    }
+    return answer;
+  }
+  // As certain_sign(); a number without a bound is not certain.
+  static int sign_or_nothing(const BoundedDouble& x) { return x.certain_sign(); }
+
+  // ---- Exactly ----
+
+  void see_exactly(Face face) {
+    const auto made = touching<Rational>(balls_, face);
+    if (!made) return;
+    const std::vector<QuadraticNumber> roots = roots_of({made->c2, made->c1, made->c0});
+    for (std::size_t k = 0; k < roots.size(); ++k) see_root(face, *made, roots[k], k);
+  }
+
+  void see_root(Face face, const Touching<Rational>& made, const QuadraticNumber& s, std::size_t number) {
+    if (s.sign() < 0) return;
+    QuadraticNumber rest = Rational(1);
+    for (std::size_t k = 0; k + 1 < face.size(); ++k) {
+      const QuadraticNumber weight = QuadraticNumber(made.u[k]) + QuadraticNumber(made.v[k]) * s;
+      if (weight.sign() <= 0) return;
+      rest = rest - weight;
+    }
+    if (rest.sign() <= 0) return;
+    ExactPlace place;
+    place.s = s;
+    place.x = lifted(number_ball<Rational>(balls_, face[0]).centre + made.a) + s * lifted(made.b);
+    place.near_s = bounded(s);
+    place.near_x = {bounded(place.x.x), bounded(place.x.y), bounded(place.x.z)};
+    for (const std::uint32_t id : diagram_.neighbours(least_connected(face))) {
+      if (side(place, id) < 0) return;
+    }
+    const Ids contacts = contacts_of(face, place);
+    if (const std::optional<std::size_t> index = index_of(face, contacts)) {
+      add(face, contacts, *index, number, place.near_s);
+    }
+  }
+
+  int side(const ExactPlace& place, std::uint32_t id) const {
+    const int sign = excess(place.near_x, place.near_s, number_ball<BoundedDouble>(balls_, id)).certain_sign();
+    if (sign != 0) return sign;
+    const auto& [x, y, z, r] = balls_.scaled(id);
+    return excess<QuadraticNumber>(place.x, place.s, {{x, y, z}, r}).sign();
+  }
+
+  Ids contacts_of(Face face, const ExactPlace& place) const {
+    Ids contacts(face.begin(), face.end()), seen = contacts;
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+      for (const std::uint32_t id : diagram_.neighbours(contacts[k])) {
+        if (std::ranges::find(seen, id) != seen.end()) continue;
+        seen.push_back(id);
+        if (side(place, id) == 0) contacts.push_back(id);
+      }
+    }
+    for (std::size_t k = 0, count = contacts.size(); k < count; ++k) {
+      for (const std::uint32_t id : balls_.tangent_inside(contacts[k])) {
+        if (side(place, id) == 0) contacts.push_back(id);
+      }
+    }
+    std::ranges::sort(contacts);
+    contacts.erase(std::ranges::unique(contacts).begin(), contacts.end());
+    return contacts;
+  }
+
+  // The index, if the point is in the relative interior of the contacts' hull. It is inside of the face. So it is, iff
+  // the other contacts, projected to what is orthogonal to the face, are a linear subspace's positive span.
+  std::optional<std::size_t> index_of(Face face, const Ids& contacts) const {
+    const std::size_t dimension = face.size() - 1;
+    const auto centre = [&](std::uint32_t id) { return number_ball<Rational>(balls_, id).centre; };
+    const Vector3<Rational> o = centre(face[0]);
+    std::vector<Vector3<Rational>> across;
+    for (const std::uint32_t id : contacts) {
+      Vector3<Rational> w = centre(id) - o;
+      if (dimension == 1) {
+        const Vector3<Rational> e = centre(face[1]) - o;
+        w = w - Rational(dot(w, e) / dot(e, e)) * e;
+      } else if (dimension == 2) {
+        const Vector3<Rational> n = cross(centre(face[1]) - o, centre(face[2]) - o);
+        w = Rational(dot(w, n) / dot(n, n)) * n;
+      } else {
+        break;
+      }
+      if (w.x != 0 || w.y != 0 || w.z != 0) across.push_back(w);
+    }
+    if (across.empty()) return dimension;
+    // Some vector, one that is opposite to it or not parallel, and on both sides of it something.
+    const Vector3<Rational>& first = across[0];
+    bool is_line = true, has_opposite = false;
+    for (const Vector3<Rational>& w : across) {
+      const Vector3<Rational> n = cross(first, w);
+      if (n.x != 0 || n.y != 0 || n.z != 0) is_line = false;
+      if (dot(first, w) < 0) has_opposite = true;
+    }
+    if (is_line) return has_opposite ? std::optional(dimension + 1) : std::nullopt;
+    for (const Vector3<Rational>& edge : across) {
+      // If all are in a half-plane, it can be turned until its line is along one of them.
+      bool is_left = false, is_right = false;
+      const Vector3<Rational> axis = centre(face[1]) - o;
+      for (const Vector3<Rational>& w : across) {
+        const Rational turn = dot(cross(edge, w), axis);
+        is_left = is_left || turn > 0;
+        is_right = is_right || turn < 0;
+      }
+      if (!(is_left && is_right)) return std::nullopt;
+    }
+    return 3;
+  }
+
+  // ---- Results ----
+
+  void add(Face face, Ids contacts, std::size_t index, std::size_t root, const BoundedDouble& near) {
+    std::array<std::uint32_t, 4> carrier{};
+    std::ranges::copy(face, carrier.begin());
+    found_.push_back({static_cast<std::uint8_t>(index), std::move(contacts), carrier,
+                      static_cast<std::uint8_t>(face.size()), BallLevel(carrier, face.size(), root, near)});
+  }
+
+  const BallDiagram& diagram_;
+  const BallSet& balls_;
+  std::vector<BallCriticalPoint> found_;
+};
+
+}  // namespace
+
+std::vector<BallCriticalPoint> ball_critical_points(const BallDiagram& diagram, unsigned threads) {
+  constexpr std::size_t kIdsAtOnce = 64;
+  const std::span<const std::uint32_t> ids = diagram.balls().visible();
+  std::vector<std::vector<BallCriticalPoint>> parts((ids.size() + kIdsAtOnce - 1) / kIdsAtOnce);
+  geometry::parallel_for(parts.size(), threads, [&](std::size_t part) {
+    const std::size_t first = part * kIdsAtOnce;
+    parts[part] = Search(diagram).run(ids.subspan(first, std::min(kIdsAtOnce, ids.size() - first)));
+  });
+  // Where more balls are equally far, a point is inside of several faces.
+  std::vector<BallCriticalPoint> all;
+  std::set<Ids> seen;
+  for (std::vector<BallCriticalPoint>& part : parts) {
+    for (BallCriticalPoint& point : part) {
+      if (seen.insert(point.contacts).second) all.push_back(std::move(point));
+    }
+  }
+  return all;
+}
+
+}  // namespace flowcert::morse

@@ -1,0 +1,127 @@
+// The centres from which the balls of a simplex are equally far, as functions of that distance s.
+//
+// Guarantees: exact in rationals, and bounded in BoundedDouble. A function is a template over the number, so that one
+// formula serves both. Lengths are in units of BallSet::scale().
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "flowcert/ball_set.h"
+#include "flowcert/quadratic_number.h"
+#include "geometry/bounded_double.h"
+#include "geometry/vector3.h"
+#include "morse/layer.h"
+
+namespace flowcert::morse {
+
+using geometry::BoundedDouble;
+using geometry::Vector3;
+
+// A ball in a number type.
+template <class Number>
+struct NumberBall {
+  Vector3<Number> centre;
+  Number radius;
+};
+template <class Number>
+[[nodiscard]] NumberBall<Number> number_ball(const BallSet& balls, std::uint32_t id);
+template <>
+[[nodiscard]] inline NumberBall<Rational> number_ball<Rational>(const BallSet& balls, std::uint32_t id) {
+  const auto& [x, y, z, r] = balls.scaled(id);
+  return {{x, y, z}, r};
+}
+template <>
+[[nodiscard]] inline NumberBall<BoundedDouble> number_ball<BoundedDouble>(const BallSet& balls, std::uint32_t id) {
+  const auto& [x, y, z, r] = balls.rounded(id);
+  if (balls.are_doubles()) return {{x, y, z}, r};
+  return {{geometry::rounded(x), geometry::rounded(y), geometry::rounded(z)}, geometry::rounded(r)};
+}
+
+// x(s) = p + a + s b for the first ball's centre p. |x - p|^2 - (r + s)^2 = c2 s^2 + 2 c1 s + c0. The weights of the
+// other centres are u[k] + s v[k].
+template <class Number>
+struct Touching {
+  Vector3<Number> a, b;
+  std::array<Number, 3> u{}, v{};
+  Number c2, c1, c0;
+};
+
+// The inverse of a positive number, and of a bounded one whose sign is certain.
+template <class Number>
+[[nodiscard]] std::optional<Number> inverse_of(const Number& x) {
+  if constexpr (std::is_same_v<Number, BoundedDouble>) {
+    if (x.certain_sign() == 0) return std::nullopt;
+  } else {
+    if (x == 0) return std::nullopt;
+  }
+  return Number(1) / x;
+}
+
+template <class Number>
+void add_power(Touching<Number>& made, const Number& r) {
+  made.c2 = dot(made.b, made.b) - Number(1);
+  made.c1 = dot(made.a, made.b) - r;
+  made.c0 = dot(made.a, made.a) - r * r;
+}
+
+// Of two to four balls whose centres are affinely independent; nothing where they are not, or are not certainly so.
+template <class Number>
+[[nodiscard]] std::optional<Touching<Number>> touching(std::span<const NumberBall<Number>> balls) {
+  const std::size_t count = balls.size() - 1;
+  std::array<Vector3<Number>, 3> e;
+  std::array<Number, 3> one, other;  // <x - p, e> = one + s other
+  const Number r = balls[0].radius;
+  for (std::size_t k = 0; k < count; ++k) {
+    e[k] = balls[k + 1].centre - balls[0].centre;
+    const Number& q = balls[k + 1].radius;
+    one[k] = (dot(e[k], e[k]) + (r - q) * (r + q)) * Number(0.5);
+    other[k] = r - q;
+  }
+  Touching<Number> made;
+  if (count == 1) {
+    const auto inverse = inverse_of<Number>(dot(e[0], e[0]));
+    if (!inverse) return std::nullopt;
+    made.u[0] = one[0] * *inverse;
+    made.v[0] = other[0] * *inverse;
+    made.a = made.u[0] * e[0];
+    made.b = made.v[0] * e[0];
+  } else if (count == 2) {
+    const Number aa = dot(e[0], e[0]), ab = dot(e[0], e[1]), bb = dot(e[1], e[1]);
+    const Vector3<Number> n = cross(e[0], e[1]);
+    const auto inverse = inverse_of<Number>(dot(n, n));
+    if (!inverse) return std::nullopt;
+    const auto solve = [&](const std::array<Number, 3>& right, std::array<Number, 3>& weights) {
+      weights[0] = (right[0] * bb - right[1] * ab) * *inverse;
+      weights[1] = (right[1] * aa - right[0] * ab) * *inverse;
+      return weights[0] * e[0] + weights[1] * e[1];
+    };
+    made.a = solve(one, made.u);
+    made.b = solve(other, made.v);
+  } else {
+    const std::array<Vector3<Number>, 3> dual{cross(e[1], e[2]), cross(e[2], e[0]), cross(e[0], e[1])};
+    const auto inverse = inverse_of<Number>(dot(e[0], dual[0]));
+    if (!inverse) return std::nullopt;
+    const auto solve = [&](const std::array<Number, 3>& right, std::array<Number, 3>& weights) {
+      const Vector3<Number> x = *inverse * (right[0] * dual[0] + right[1] * dual[1] + right[2] * dual[2]);
+      for (std::size_t k = 0; k < 3; ++k) weights[k] = dot(x, dual[k]) * *inverse;
+      return x;
+    };
+    made.a = solve(one, made.u);
+    made.b = solve(other, made.v);
+  }
+  add_power(made, r);
+  return made;
+}
+
+template <class Number>
+[[nodiscard]] std::optional<Touching<Number>> touching(const BallSet& balls, std::span<const std::uint32_t> ids) {
+  std::array<NumberBall<Number>, 4> some;
+  for (std::size_t k = 0; k < ids.size(); ++k) some[k] = number_ball<Number>(balls, ids[k]);
+  return touching<Number>(std::span<const NumberBall<Number>>(some.data(), ids.size()));
+}
+
+}  // namespace flowcert::morse
