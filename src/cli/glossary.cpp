@@ -22,10 +22,15 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
     {"birth", "The distance at which a component, tunnel or void begins as balls around all points grow."},
     {"born-earlier", "A finding: a loop stands for a tunnel that is born before the claimed birth."},
     {"boundary", "Of a saddle of index 2: the saddles of index 1 around its stable surface."},
-    {"cavity", "A pocket that a probe cannot leave: every way to infinity is narrower somewhere."},
+    {"cavity",
+     "A pocket that a probe cannot leave: every way to infinity is narrower somewhere. Between balls: a part of the "
+     "free space that is closed all around."},
     {"cell",
      "Of a pocket: all places from which the flow comes to its maxima. Of Delaunay: a simplex, or what "
      "cospherical points span."},
+    {"chamber",
+     "Between balls: a room apart, from where it is widest, its peak, down to its gate. For a probe it is open, closed "
+     "or too small."},
     {"channel", "A pocket that a probe can leave through several mouths."},
     {"choices at ties",
      "Where several ways lead on equally, an orbit or a boundary takes one of them. Pairs do not "
@@ -48,7 +53,9 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
      "hull of its contact set."},
     {"death", "The distance at which a component joins an older one, or a tunnel or a void is filled."},
     {"dependent", "A finding: a cycle is a sum of other claimed ones, so that it stands for no further pair."},
-    {"depth", "Of a pocket: the radius of its largest ball less that of its widest mouth."},
+    {"depth",
+     "Of a pocket: the radius of its largest ball less that of its widest mouth. Of a chamber: its peak less its "
+     "gate."},
     {"diagram", "All persistence pairs, as places with birth and death."},
     {"dies-earlier", "A finding: a loop is filled before the claimed death."},
     {"dies-later", "A finding: a loop is not filled yet at the claimed death."},
@@ -57,16 +64,23 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
      "The point of the hull of the nearest points that is nearest to a place. The flow leads straight away "
      "from it."},
     {"edge-too-long", "A finding: half an edge of a loop is longer than the level, so that it leaves the balls."},
+    {"exit", "Of a chamber: the radius of the widest probe that can leave it to the outside."},
     {"flow", "It leads from each place to where the distance to the nearest points grows fastest."},
+    {"free space", "Between balls: all places where the centre of a probe can be."},
     {"gabriel",
      "Of an edge or triangle of Delaunay: its smallest sphere has no other point inside. These have the "
      "critical points of index 1 and 2."},
-    {"gate", "A saddle of index 2 at which a way out of a pocket is narrowest."},
+    {"gate",
+     "A saddle of index 2 at which a way out of a pocket is narrowest. Of a chamber: the radius at which it stops "
+     "being a room apart."},
+    {"handle", "A narrow place with one and the same chamber at both sides."},
+    {"hidden", "Of a ball: inside of another one, so that nothing changes without it."},
     {"hull", "The smallest convex set that has the points: an edge, triangle, tetrahedron, or a larger polytope."},
     {"index",
      "The dimension of the hull of a critical point's contact set: 0 for points, 1 and 2 for saddles, 3 for "
      "maxima."},
     {"kind", "Of a regular stationary point: the indices that meet in it, as 1-2. Of a finding: its reason."},
+    {"largest cavity diameter", "Between balls: twice the peak of a chamber, or the greatest one of all."},
     {"largest cavity radius", "The radius of the largest ball in some pocket."},
     {"length", "Of a pair: its death less its birth, as distances that are not squared."},
     {"level", "How much of a claim is judged: its form (1), points (2, 3), incidences (4), and all else (5)."},
@@ -86,10 +100,11 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
     {"not-a-cycle", "A finding: edges that do not close, or triangles."},
     {"not-cospherical", "A finding: the points that are named lie on no common sphere centred in their hull."},
     {"orbit", "The way of the flow from a place: straight segments, to a stationary point or to infinity."},
-    {"outside", "What is open to infinity, beyond all pockets."},
+    {"outside", "What is open to infinity, beyond all pockets and chambers."},
     {"outside-hull", "A finding: the centre lies outside of the hull of its points, as in an obtuse triangle."},
     {"pair", "A critical point at which a component, tunnel or void begins, and the one at which it ends."},
     {"pairs of length zero", "Regular stationary points stand for them: what begins and ends at one value."},
+    {"peak", "Of a chamber: the radius of the widest probe that has room in it."},
     {"persistence",
      "How long components (dimension 0), tunnels (1) and voids (2) last as balls around all points grow. Where a "
      "command takes it as a number, what does not last longer is merged or left out."},
@@ -99,8 +114,11 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
     {"pocket",
      "What flows to some maxima: a room between points. For a probe, one of three kinds: a cavity has no way out that "
      "is wide enough, a pocket has one mouth, a channel several."},
+    {"pore limiting diameter", "Between balls: twice the exit of a chamber, or the greatest one of all."},
     {"pore limiting radius", "The radius of the widest ball that can leave some pocket to infinity."},
-    {"probe", "A ball, by its centre's distance to all points. Between atoms of radius 1.7, water needs 3.1."},
+    {"probe",
+     "A ball, by its centre's distance to all points. Between atoms of radius 1.7, water needs 3.1. With radii, by its "
+     "distance to all balls: water needs 1.4."},
     {"profile", "The parts of a flow complex that a claim tells, such as points, U2 and S2."},
     {"radius",
      "Of a pocket: that of the largest ball in it that has no point inside. Of a mouth: of the widest ball that fits "
@@ -135,6 +153,7 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
     {"timed-out", "An outcome: the program took longer than its time limit, and was ended."},
     {"tolerance",
      "How far a claimed decimal may be off, in parts of a radius or of itself. What is combinatorial has none."},
+    {"touching", "Of balls: with one place in common, from outside. With more, they overlap."},
     {"triangle-too-large", "A finding: the smallest ball of a triangle is larger than the level."},
     {"tunnel",
      "A class of dimension 1: a way through, as through a ring or a tube. It is born as the ring closes, and dies "
@@ -145,12 +164,18 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
     {"unreadable", "An outcome: the answer is in no form that a claim may have."},
     {"unstable manifold", "All places to which the flow comes from near a critical point."},
     {"valley", "The least bin between two heaps of a histogram. auto takes it for a threshold."},
-    {"value", "Of a place: the square of the distance from there to the nearest sample."},
+    {"value",
+     "Of a place: the square of the distance from there to the nearest sample. With radii: the distance to the nearest "
+     "ball, which is not squared."},
     {"verdict", "What check says of a claim: conforms, conforms where determined, perturbed, or fails."},
+    {"vestibule", "A room that is no listed chamber, and comes to two or more rooms at one radius."},
     {"void", "A class of dimension 2: a hollow that is closed all around."},
     {"volume",
      "Of a pocket: of its cell, which reaches up to the points, so that it is more than what a probe can fill."},
     {"widest", "Of a pocket: the narrowest place of its widest way to infinity."},
+    {"window",
+     "A narrowest place between a chamber and another room or the outside. Its radius is that of the widest probe "
+     "that fits through."},
     {"wrong-components", "A finding: other components than those that come together at a death."},
     {"wrong-connections", "A finding: other numbers of orbits between stationary points."},
     {"wrong-counts", "A finding: a number of points, critical points or samples is not right, or the Euler sum."},
