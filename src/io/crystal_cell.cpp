@@ -6,7 +6,6 @@
 #include <mpfr.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "io/number_text.h"
 
@@ -107,11 +106,27 @@ bool is_identity(std::string operation) {
 
 }  // namespace
 
-Point CartesianAxes::position(const std::array<std::string_view, 3>& fractional, const LinePlace& place) const {
-  std::array<Rational, 3> along;
+RationalPoint CartesianAxes::along_axes(const std::array<std::string_view, 3>& fractional,
+                                        const LinePlace& place) const {
+  RationalPoint along;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     along[axis] = claimed_number(fractional[axis], PlainInteger::kDecimal, place).value * lengths_[axis];
   }
+  return along;
+}
+
+bool CartesianAxes::are_right() const {
+  return std::ranges::all_of(angles_, [](const Rational& angle) { return angle == 90; });
+}
+
+std::optional<RationalPoint> CartesianAxes::exact_position(const std::array<std::string_view, 3>& fractional,
+                                                           const LinePlace& place) const {
+  if (!are_right()) return std::nullopt;
+  return along_axes(fractional, place);
+}
+
+Point CartesianAxes::position(const std::array<std::string_view, 3>& fractional, const LinePlace& place) const {
+  const RationalPoint along = along_axes(fractional, place);
   for (mpfr_prec_t precision = kFirstPrecision; precision <= kLastPrecision; precision *= 2) {
     const std::optional<Rows> rows = rows_of(angles_, precision);
     if (!rows) continue;
@@ -162,6 +177,11 @@ void CrystalCell::check_symmetry(std::string_view file) const {
   if (operations_.empty() && groups_.empty()) {
     reject_file(file, "fractional coordinates are read in P 1 alone, and the symmetry is not said");
   }
+}
+
+bool CrystalCell::has_lengths() const {
+  return std::ranges::any_of(numbers_,
+                             [](const auto& item) { return item.first.starts_with("length_") && item.second != 1; });
 }
 
 CartesianAxes CrystalCell::cartesian_axes(std::string_view file) const {

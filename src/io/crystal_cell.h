@@ -10,6 +10,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,8 +32,16 @@ class CartesianAxes {
       : lengths_(lengths), angles_(angles) {}
 
   [[nodiscard]] Point position(const std::array<std::string_view, 3>& fractional, const LinePlace& place) const;
+  // Whether all angles are right ones, so that positions are rational; and the position then.
+  [[nodiscard]] bool are_right() const;
+  [[nodiscard]] std::optional<RationalPoint> exact_position(const std::array<std::string_view, 3>& fractional,
+                                                            const LinePlace& place) const;
 
  private:
+  // Along the axes, in the unit of their lengths.
+  [[nodiscard]] RationalPoint along_axes(const std::array<std::string_view, 3>& fractional,
+                                         const LinePlace& place) const;
+
   std::array<Rational, 3> lengths_, angles_;
 };
 
@@ -40,6 +49,8 @@ class CrystalCell {
  public:
   // An item of a CIF file, with its name in small letters. Those that are no concern of cells are passed over.
   void see_item(const std::string& name, std::string_view value, const LinePlace& place);
+  // Whether a crystal's cell is said. Structures without a crystal have lengths of 1.
+  [[nodiscard]] bool has_lengths() const;
   // Throws where the cell is not all there, or the symmetry is not known to be P 1.
   [[nodiscard]] CartesianAxes cartesian_axes(std::string_view file) const;
 

@@ -17,7 +17,7 @@ namespace flowcert::io {
 namespace {
 
 // Columns are counted from 1, as the format's description does.
-constexpr std::size_t kAfterSerial = 12, kFirstCoordinate = 31, kWidth = 8, kLastCoordinate = 54;
+constexpr std::size_t kAfterSerial = 12, kFirstCoordinate = 31, kWidth = 8;
 
 char at(std::string_view line, std::size_t column) { return column <= line.size() ? line[column - 1] : ' '; }
 
@@ -164,6 +164,9 @@ PdbAtom fields_before(std::string_view line, std::size_t shift, std::size_t of_c
   atom.residue = trimmed(columns(line, 18 + shift, 21 + shift));
   atom.chain = trimmed(columns(line, 22 + shift, 22 + shift));
   atom.element = element_of(line, of_coordinates, atom.place_name, atom.residue);
+  const std::string_view symbol = trimmed(columns(line, 77 + of_coordinates, 78 + of_coordinates));
+  const bool is_said = !symbol.empty() && std::ranges::all_of(symbol, is_letter);
+  atom.said_element = is_said ? ElementText{symbol} : ElementText{atom.place_name, ElementSource::kPdbName};
   return atom;
 }
 
@@ -304,7 +307,7 @@ PdbRecord pdb_record(std::string_view line, const LinePlace& place) {
 
 PdbAtom pdb_atom(std::string_view line, const LinePlace& place) {
   if (line.find('\t') != std::string_view::npos) place.reject("a tab in a line of fixed columns");
-  if (line.size() < kLastCoordinate) place.reject("an atom's line ends before column 54");
+  if (line.size() < kShortestPdbAtom) place.reject("an atom's line ends before column 54");
   const PlacedCoordinates coordinates = coordinates_of(line, place);
   PdbAtom atom = fields_before(line, shift_of_head(line, coordinates.shift, place), coordinates.shift);
   atom.position = coordinates.fields;

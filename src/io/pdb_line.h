@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "io/elements.h"
 #include "io/layer.h"
 #include "io/line_reader.h"
 
@@ -23,7 +24,12 @@ struct PdbAtom {
   std::string_view place_name, place_residue;
   bool is_hetatm = false;
   std::array<std::string_view, 3> position;
+  ElementText said_element;   // columns 77 and 78, or else the name
+  std::string_view radius{};  // of PQR
 };
+
+// The columns that an atom's line has at the least.
+inline constexpr std::size_t kShortestPdbAtom = 54;
 
 // What a line of a PDB file is. Throws InvalidInput for a line that looks like an atom and is none.
 enum class PdbRecord { kAtom, kModel, kEnd, kOther };

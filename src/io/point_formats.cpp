@@ -14,8 +14,10 @@
 
 #include "flowcert/read_points.h"
 #include "geometry/floating_point.h"
+#include "io/foreign_text.h"
 #include "io/input_bytes.h"
 #include "io/number_text.h"
+#include "io/pqr_line.h"
 #include "io/table_columns.h"
 
 namespace flowcert::io {
@@ -36,6 +38,7 @@ constexpr auto kFormats = std::to_array<Format>({{"table", PointFormat::kTable, 
                                                  {"pcd", PointFormat::kPcd, read_pcd},
                                                  {"npy", PointFormat::kNpy, read_npy},
                                                  {"pdb", PointFormat::kPdb, read_pdb},
+                                                 {"pqr", PointFormat::kPqr, read_pqr},
                                                  {"cif", PointFormat::kCif, read_cif}});
 
 std::string all_names() {
@@ -239,6 +242,7 @@ PointFormat format_of_content(std::string_view bytes, std::string_view file) {
   if (!off_keyword(line).empty()) return PointFormat::kOff;
   if (words.size() == 1 && lower_case(line).starts_with("data_") && line.find(',') == std::string::npos)
     return PointFormat::kCif;
+  if (begins_as_pqr(bytes)) return PointFormat::kPqr;
   if (is_pdb_record(line)) return PointFormat::kPdb;
   if (is_obj_keyword(words[0]) && (words[0] == "v" || has_vertex_lines(bytes))) return PointFormat::kObj;
   if (words.size() == 1 && is_integer(words[0])) return format_after_count(bytes, file);
@@ -267,35 +271,59 @@ namespace {
 // An option that the format does not know is not passed over.
 void check_options(PointFormat format, std::string_view file, const ReadingOptions& options) {
   const bool is_table = format == PointFormat::kTable || format == PointFormat::kPts;
-  const bool is_molecule = format == PointFormat::kPdb || format == PointFormat::kCif;
+  const bool is_molecule = format == PointFormat::kPdb || format == PointFormat::kPqr || format == PointFormat::kCif;
   const auto allow = [&](bool is_given, bool is_known, const char* option, const char* formats) {
     if (!is_given || is_known) return;
     reject_file(file, fmt::format("{} is for {}, and this is {}", option, formats, name_of(format)));
   };
   allow(!options.columns.empty(), is_table, "--columns", "tables");
   allow(options.z.has_value(), is_table || format == PointFormat::kNpy, "--z", "tables and NPY");
-  allow(!options.chains.empty(), is_molecule, "--chains", "PDB and CIF");
-  allow(!options.models.empty(), is_molecule, "--models", "PDB and CIF");
+  allow(!options.chains.empty(), is_molecule, "--chains", "PDB, PQR and CIF");
+  allow(!options.models.empty(), is_molecule, "--models", "PDB, PQR and CIF");
   allow(!options.atoms.empty(), is_molecule || format == PointFormat::kChemical, "--atoms",
-        "PDB, CIF and chemical XYZ");
+        "PDB, PQR, CIF and chemical XYZ");
   allow(options.frame != 0, format == PointFormat::kChemical, "--frame", "chemical XYZ");
+}
+
+// Whether the format has what the radii are taken from.
+void check_radii(PointFormat format, std::string_view file, const AtomRadii& radii) {
+  using Source = AtomRadii::Source;
+  const bool is_table = format == PointFormat::kTable || format == PointFormat::kPts;
+  const bool has_elements = format == PointFormat::kPdb || format == PointFormat::kPqr || format == PointFormat::kCif ||
+                            format == PointFormat::kChemical;
+  const auto reject = [&](std::string_view formats) {
+    reject_file(
+        file, fmt::format("--radii {} is for {}, and this is {}", on_one_line(radii.text()), formats, name_of(format)));
+  };
+  if (radii.source() == Source::kPqr && format != PointFormat::kPqr) reject("PQR");
+  if (radii.source() == Source::kColumn && !is_table) reject("tables");
+  if (radii.needs_elements() && !has_elements) reject("PDB, PQR, CIF and chemical XYZ, which have elements");
 }
 
 }  // namespace
 
-PointFile read_points_from(std::string_view bytes, const std::string& name, const ReadingOptions& options) {
+PointFile io::read_content(std::string_view bytes, const std::string& name, const ReadingOptions& options,
+                           BallRows* balls) {
   const geometry::IeeeDoubles ieee;
   std::string decompressed;
   bytes = plain_content(bytes, name, decompressed, options.unlimited);
+  const bool is_pqr = balls != nullptr && balls->radii().source() == AtomRadii::Source::kPqr;
   const PointFormat format = !options.format.empty()    ? format_named(options.format)
+                             : is_pqr                   ? PointFormat::kPqr
                              : !options.columns.empty() ? format_with_columns(bytes)
                                                         : format_of_content(bytes, name);
   check_options(format, name, options);
-  PointRows rows(name, options);
+  if (balls != nullptr) check_radii(format, name, balls->radii());
+  PointRows rows(name, options, balls);
   read_as(format, bytes, rows);
   PointFile file = rows.take();
   file.format = name_of(format);
   return file;
+}
+
+PointFile read_points_from(std::string_view bytes, const std::string& name, const ReadingOptions& options) {
+  if (options.finite) reject_file(name, "--finite is for atoms with radii, and there are none");
+  return read_content(bytes, name, options, nullptr);
 }
 
 PointFile read_points(const std::string& path, const ReadingOptions& options) {

@@ -12,7 +12,7 @@
 
 namespace flowcert::io {
 
-enum class PointFormat { kTable, kPts, kChemical, kOff, kPly, kObj, kPcd, kNpy, kPdb, kCif };
+enum class PointFormat { kTable, kPts, kChemical, kOff, kPly, kObj, kPcd, kNpy, kPdb, kPqr, kCif };
 
 // As --format says it.
 [[nodiscard]] std::string_view name_of(PointFormat format);
@@ -26,6 +26,10 @@ enum class PointFormat { kTable, kPts, kChemical, kOff, kPly, kObj, kPcd, kNpy, 
 // Whoever names columns has a table, whatever else is in its rows; below a count it is PTS.
 [[nodiscard]] PointFormat format_with_columns(std::string_view bytes);
 
+// What read_points_from and read_balls_from have in common. balls: null where no radii are asked for.
+[[nodiscard]] PointFile read_content(std::string_view bytes, const std::string& name, const ReadingOptions& options,
+                                     BallRows* balls);
+
 void read_as(PointFormat format, std::string_view bytes, PointRows& rows);
 
 void read_table(std::string_view text, PointRows& rows);
@@ -37,6 +41,7 @@ void read_obj(std::string_view text, PointRows& rows);
 void read_pcd(std::string_view bytes, PointRows& rows);
 void read_npy(std::string_view bytes, PointRows& rows);
 void read_pdb(std::string_view text, PointRows& rows);
+void read_pqr(std::string_view text, PointRows& rows);
 void read_cif(std::string_view text, PointRows& rows);
 
 // ---- What a first line can be ----

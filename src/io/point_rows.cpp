@@ -15,7 +15,7 @@ constexpr std::string_view kHowToSkip = "; --skip-invalid leaves such rows out";
 std::string with_e(std::string_view field) {
   std::string text(field);
   const bool is_hexadecimal = text.find_first_of("xX") != std::string::npos;
-  if (const std::size_t mark = text.find("*^"); mark != std::string::npos) text.replace(mark, 2, "e");
+  if (const std::size_t mark = text.find("*^"); mark != std::string::npos) text.replace(mark, 2, 1, 'e');
   const std::size_t mark = text.find_first_of("dD");
   if (mark != std::string::npos && mark > 0 && !is_hexadecimal) text[mark] = 'e';
   return text;
@@ -27,6 +27,15 @@ NumberText coordinate_of(std::string_view field) {
   const NumberText number = parse_number(field);
   // "nan" and "infinity" have no d.
   return number.is_number() ? number : parse_number(with_e(field));
+}
+
+Rational exact_number(std::string_view field, const LinePlace& place) {
+  if (const char* const fault = coordinate_of(field).fault; fault != nullptr) {
+    place.reject(fmt::format("{}: {}", fault, in_quotes(field)));
+  }
+  const bool is_usual = parse_number(field).is_number();
+  const std::string text = is_usual ? std::string(field) : with_e(field);
+  return claimed_number(text, PlainInteger::kDecimal, place).value;
 }
 
 void PointRows::reserve(std::uint64_t announced, std::size_t bytes, std::size_t smallest) {
@@ -48,6 +57,7 @@ bool PointRows::add(const std::array<std::string_view, 3>& fields, const LinePla
   }
   if (is_point) {
     points_.rows.push_back({numbers[0], numbers[1], numbers[2]});
+    if (balls_ != nullptr) balls_->add(fields, place);
   } else {
     points_.left_out.push_back(count());
   }
@@ -65,6 +75,7 @@ bool PointRows::add(const Point& point) {
     return false;
   }
   points_.rows.push_back(point);
+  if (balls_ != nullptr) balls_->add(point);
   return true;
 }
 

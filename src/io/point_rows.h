@@ -11,7 +11,9 @@
 #include <string_view>
 #include <utility>
 
+#include "flowcert/rational.h"
 #include "flowcert/read_points.h"
+#include "io/ball_rows.h"
 #include "io/layer.h"
 #include "io/line_reader.h"
 #include "io/number_text.h"
@@ -24,13 +26,19 @@ inline constexpr std::string_view kSinglePrecisionNote =
 
 // A number as files of points have it: with Fortran's exponent, 1.0D-03, and Mathematica's, 1.0*^-3, too.
 [[nodiscard]] NumberText coordinate_of(std::string_view field);
+// The same number, not rounded. Throws InvalidInput for what is none, and for one of absurd length (claimed_number).
+[[nodiscard]] Rational exact_number(std::string_view field, const LinePlace& place);
 
 class PointRows {
  public:
-  PointRows(std::string_view file, const ReadingOptions& options) : file_(file), options_(options) {}
+  // balls: takes the same rows, if it is there.
+  PointRows(std::string_view file, const ReadingOptions& options, BallRows* balls = nullptr)
+      : file_(file), options_(options), balls_(balls) {}
 
   [[nodiscard]] const ReadingOptions& options() const { return options_; }
   [[nodiscard]] std::string_view file() const { return file_; }
+  // Null where no radii are asked for.
+  [[nodiscard]] BallRows* balls() const { return balls_; }
   // The file's rows so far, those that are left out, too.
   [[nodiscard]] std::size_t count() const { return points_.rows.size() + points_.left_out.size(); }
 
@@ -40,8 +48,11 @@ class PointRows {
   bool add(const std::array<std::string_view, 3>& fields, const LinePlace& place);
   // A row of numbers that a binary file stores.
   bool add(const Point& point);
-  // What the file calls the last point, if it is a molecule.
-  void name(const AtomName& name) { points_.atoms.add(name); }
+  // What the file calls the last point, if it is a molecule, and which element it says.
+  void name(const AtomName& name, const ElementText& element) {
+    points_.atoms.add(name);
+    if (balls_ != nullptr) balls_->see_element(points_.atoms, name.residue, element);
+  }
   void note(std::size_t line, std::string text) { points_.notes.push_back({line, std::move(text)}); }
 
   [[nodiscard]] PointFile take();
@@ -54,6 +65,7 @@ class PointRows {
 
   std::string_view file_;
   const ReadingOptions& options_;
+  BallRows* balls_;
   PointFile points_;
 };
 

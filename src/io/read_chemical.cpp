@@ -103,6 +103,7 @@ class ChemicalReader {
     const std::string_view properties = value_of_key(line, "properties");
     const AtomColumns columns = properties.empty() ? AtomColumns{} : columns_of(properties, lines_.place());
     if (is_wanted && !value_of_key(line, "lattice").empty()) {
+      if (rows_.balls() != nullptr) rows_.balls()->see_crystal(lines_.place().line);
       rows_.note(lines_.place().line, "the lattice is ignored; the points are not periodic");
     }
     if (is_wanted) rows_.reserve(count, lines_.rest().size(), 8);
@@ -126,7 +127,7 @@ class ChemicalReader {
     check_length(words.size(), place);
     if (!selection_.takes(Atom{.element = element_of_label(label)})) return;
     if (rows_.add({words[columns.position], words[columns.position + 1], words[columns.position + 2]}, place)) {
-      rows_.name({.atom = label, .element = element_of_label(label)});
+      rows_.name({.atom = label, .element = element_of_label(label)}, {label, ElementSource::kLabel});
     }
   }
 

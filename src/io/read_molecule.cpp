@@ -1,4 +1,4 @@
-// PDB and CIF, a section for each: the centres of atoms as points.
+// PDB with PQR, and CIF, a section for each: the centres of atoms as points.
 //
 // Gemmi's readers are not used: they take "1.2.3" as 1.2 and blanks as 0, without a word, and know no line of a row.
 // What is left out is counted, so that it can be said.
@@ -18,14 +18,24 @@
 #include "io/number_text.h"
 #include "io/pdb_line.h"
 #include "io/point_formats.h"
+#include "io/pqr_line.h"
 
 namespace flowcert::io {
 
-// ---- PDB ----
+// ---- PDB and PQR ----
 // Fixed columns, where a line holds to them (pdb_line.h). A record MODEL begins a model, and so does the first atom
-// after END, by which trajectories part their frames.
+// after END, by which trajectories part their frames. PQR has the same records, and other lines for atoms.
+namespace {
 
-void read_pdb(std::string_view text, PointRows& rows) {
+// Files of structures without a crystal have a cell of three times 1.
+void see_cell(std::string_view line, std::size_t number, PointRows& rows) {
+  const std::vector<std::string_view> words = words_of(line);
+  const bool is_crystal = words.size() > 3 && std::any_of(words.begin() + 1, words.begin() + 4,
+                                                          [](auto word) { return parse_number(word).value != 1; });
+  if (is_crystal) rows.note(number, std::string(kCellNote));
+}
+
+void read_records(std::string_view text, PointRows& rows, PdbAtom (*atom_of)(std::string_view, const LinePlace&)) {
   AtomSelection selection(rows.options(), rows.file(), true);
   LineReader lines(text, rows.file());
   std::size_t models = 0;
@@ -45,7 +55,8 @@ void read_pdb(std::string_view text, PointRows& rows) {
         break;
       case PdbRecord::kAtom: {
         if (!has_begun) begin_model("");
-        const PdbAtom atom = pdb_atom(line, lines.place());
+        const PdbAtom atom = atom_of(line, lines.place());
+        if (rows.balls() != nullptr) rows.balls()->see_radius(atom.radius);
         const bool is_wanted =
             is_taken && selection.takes({.chain = atom.chain,
                                          .residue = atom.residue,
@@ -55,21 +66,31 @@ void read_pdb(std::string_view text, PointRows& rows) {
                                          .residue_place = fmt::format("{} {}", models, atom.place_residue),
                                          .place = fmt::format("{} {}{}", models, atom.place_residue, atom.place_name)});
         if (is_wanted && rows.add(atom.position, lines.place())) {
-          rows.name({atom.chain, atom.residue, atom.number, atom.name, atom.element});
+          rows.name({atom.chain, atom.residue, atom.number, atom.name, atom.element}, atom.said_element);
         }
         break;
       }
       case PdbRecord::kOther:
+        if (rows.balls() != nullptr && line.starts_with("CRYST1")) see_cell(line, lines.place().line, rows);
         break;
     }
   }
   selection.finish(rows);
 }
 
+}  // namespace
+
+void read_pdb(std::string_view text, PointRows& rows) { read_records(text, rows, pdb_atom); }
+
+void read_pqr(std::string_view text, PointRows& rows) { read_records(text, rows, pqr_atom); }
+
 // ---- CIF ----
 // A table `loop_` of the category _atom_site has a row for each atom: in mmCIF with Cartesian coordinates, in CIF of
 // small molecules with Cartesian or fractional ones. Data blocks with such a table are models.
 namespace {
+
+constexpr std::string_view kRoundedNote =
+    "the cell has other angles than right ones: its Cartesian positions are the nearest doubles, taken exactly";
 
 struct CifWord {
   std::string_view text;
@@ -211,6 +232,7 @@ class CifReader {
     const bool has_coordinates =
         std::ranges::any_of(columns_, [](const auto& column) { return is_coordinate(column.first); });
     if (!is_mmcif && !has_coordinates) return false;
+    is_small_ = !is_mmcif;
     for (const std::string& name : names) {
       if (!in_atom_site(name)) words_.place().reject("a column of another table: " + in_quotes(name));
     }
@@ -241,6 +263,14 @@ class CifReader {
   [[nodiscard]] std::string_view atom_name(const Row& row) const {
     const std::string_view name = value(row, "auth_atom_id", "label_atom_id");
     return name.empty() ? value(row, "label") : name;
+  }
+
+  [[nodiscard]] ElementText element_text(const Row& row) const {
+    const std::string_view symbol = value(row, "type_symbol");
+    if (!symbol.empty()) return {symbol};
+    const std::string_view label = value(row, "label");
+    return label.empty() ? ElementText{atom_name(row), ElementSource::kName}
+                         : ElementText{label, ElementSource::kLabel};
   }
 
   void see_model(const Row& row) {
@@ -281,9 +311,10 @@ class CifReader {
   void read_row(const Row& row) {
     see_model(row);
     if (!is_taken_) return;
+    const ElementText element = element_text(row);
     const Atom atom{.chain = value(row, "auth_asym_id", "label_asym_id"),
                     .residue = value(row, "auth_comp_id", "label_comp_id"),
-                    .element = element_of_label(value(row, "type_symbol", "label")),
+                    .element = element.source == ElementSource::kName ? "" : element_of_label(element.text),
                     .is_hetatm = value(row, "group_pdb") == "HETATM",
                     .location = value(row, "label_alt_id", "disorder_group"),
                     .residue_place = residue_place(row),
@@ -300,20 +331,23 @@ class CifReader {
         std::string(value(row, "auth_seq_id", "label_seq_id")) + std::string(value(row, "pdbx_pdb_ins_code"));
     const AtomName name{atom.chain, atom.residue, number, atom_name(row), atom.element};
     if (is_fractional_) {
-      fractional_.push_back({position, words_.place()});
+      fractional_.push_back({position, words_.place(), element});
       fractional_names_.add(name);
     } else if (rows_.add(position, words_.place())) {
-      rows_.name(name);
+      rows_.name(name, element);
     }
   }
 
   // A cell may be said after the atoms, so fractional coordinates wait for the block's end.
   void end_block() {
+    if (rows_.balls() != nullptr) see_periodic();
     if (!fractional_.empty()) {
       const CartesianAxes axes = cell_.cartesian_axes(rows_.file());
+      if (rows_.balls() != nullptr && !axes.are_right()) rows_.note(0, std::string(kRoundedNote));
       for (std::size_t k = 0; k < fractional_.size(); ++k) {
-        const auto& [position, place] = fractional_[k];
-        if (rows_.add(axes.position(position, place))) rows_.name(fractional_names_[static_cast<PointId>(k)]);
+        const auto& [position, place, element] = fractional_[k];
+        if (rows_.balls() != nullptr) rows_.balls()->see_centre(axes.exact_position(position, place), place);
+        if (rows_.add(axes.position(position, place))) rows_.name(fractional_names_[static_cast<PointId>(k)], element);
       }
       fractional_.clear();
       fractional_names_ = {};
@@ -321,11 +355,21 @@ class CifReader {
     cell_ = {};
     groups_.clear();
     block_has_table_ = false;
+    rows_before_ = rows_.count();
+  }
+
+  // Files of macromolecules have a cell where others have none, and are read as those in PDB are.
+  void see_periodic() {
+    const bool is_crystal = !fractional_.empty() || (rows_.count() > rows_before_ && cell_.has_lengths());
+    if (!is_crystal) return;
+    if (is_small_ || !fractional_.empty()) rows_.balls()->see_crystal(0);
+    rows_.note(0, std::string(kCellNote));
   }
 
   struct FractionalAtom {
     std::array<std::string_view, 3> position;
     LinePlace place;
+    ElementText element;
   };
 
   CifWords words_;
@@ -334,6 +378,8 @@ class CifReader {
   CrystalCell cell_;
   std::map<std::string, std::size_t> columns_;
   bool has_table_ = false, block_has_table_ = false, is_fractional_ = false, is_taken_ = false;
+  bool is_small_ = false;        // no mmCIF
+  std::size_t rows_before_ = 0;  // before this block
   std::size_t blocks_ = 0;
   std::set<std::string> groups_;  // of disorder, in this block
   std::optional<std::pair<std::size_t, std::string>> model_;

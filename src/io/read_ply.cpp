@@ -332,7 +332,8 @@ void read_ply(std::string_view bytes, PointRows& rows) {
                                      [&](std::size_t k) { return properties[k].type == kFloat; });
   if (header.encoding == PlyEncoding::kAscii) {
     // The type of an ascii property is only a hint. The text counts, and is read as the nearest double.
-    if (has_float) rows.note(0, "declared as float, but decimals: taken as the nearest doubles, not floats");
+    const char* const taken = rows.balls() == nullptr ? "the nearest doubles" : "they are written";
+    if (has_float) rows.note(0, fmt::format("declared as float, but decimals: taken as {}, not floats", taken));
     read_ascii(header, lines, rows);
   } else {
     if (has_float) rows.note(0, std::string(kSinglePrecisionNote));

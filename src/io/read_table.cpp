@@ -74,6 +74,9 @@ class TableReader {
     const ReadingOptions& options = rows.options();
     if (!options.columns.empty()) chosen_.emplace(options.columns, options.z ? 2U : 3U);
     if (options.z) z_ = fmt::format("{:a}", *options.z);
+    if (rows.balls() != nullptr && rows.balls()->radii().source() == AtomRadii::Source::kColumn) {
+      radius_ = rows.balls()->radii().column() - 1;
+    }
   }
 
   void read() {
@@ -151,6 +154,7 @@ class TableReader {
         reject("a decimal comma: " + in_quotes(row[axis]) + "; numbers have a point");
     }
     see_numbers(line, row);
+    if (radius_) rows_.balls()->see_radius(fields_[*radius_]);
     rows_.add(row, lines_.place());
   }
 
@@ -185,7 +189,14 @@ class TableReader {
     } else {
       see_first_row_without_names();
     }
-    const std::size_t needed = *std::max_element(places_.begin(), places_.begin() + axes()) + 1;
+    const auto end = places_.begin() + axes();
+    if (radius_ && std::find(places_.begin(), end, *radius_) != end) {
+      reject(
+          fmt::format("column {} is a coordinate, and --radii takes it for the radius: --columns says which are x, "
+                      "y, z",
+                      *radius_ + 1));
+    }
+    const std::size_t needed = std::max(*std::max_element(places_.begin(), end), radius_.value_or(0)) + 1;
     if (names && names->is_open) least_ = std::max(needed, names->names.size());
     if (first_count_ < needed) {
       reject(fmt::format("{} column{}, and column {} is wanted", first_count_, first_count_ == 1 ? "" : "s", needed));
@@ -196,11 +207,15 @@ class TableReader {
     if (heading_ && !z_ && has_two_axes_) reject("columns x and y, and none named z: --z 0 makes it 0");
     if (heading_) reject("the columns above have names, and not x, y and z: --columns says which they are");
     places_ = {0, 1, 2};
-    if (first_count_ == 2 && !z_) reject("two columns, and points have three coordinates: --z 0 makes their z 0");
-    if (first_count_ != 2 && z_) reject(fmt::format("--z is for two columns, and this row has {}", first_count_));
-    if (first_count_ == 1) reject("too few numbers: 1 of 3");
-    if (first_count_ > 3) first_column_.emplace();
-    if (first_count_ > 3) rows_.note(lines_.place().line, "more than three columns; those after the third are ignored");
+    // Beside the radius.
+    const std::size_t count = first_count_ - (radius_ && first_count_ > 0 ? 1 : 0);
+    if (count == 2 && !z_) reject("two columns, and points have three coordinates: --z 0 makes their z 0");
+    if (count != 2 && z_) reject(fmt::format("--z is for two columns, and this row has {}", count));
+    if (count == 1) reject("too few numbers: 1 of 3");
+    if (count <= 3) return;
+    first_column_.emplace();
+    const std::string also = radius_ ? fmt::format(" but for the radius in {}", *radius_ + 1) : "";
+    rows_.note(lines_.place().line, fmt::format("more than three columns; those after the third are ignored{}", also));
   }
 
   [[nodiscard]] std::ptrdiff_t axes() const { return z_ ? 2 : 3; }
@@ -253,6 +268,7 @@ class TableReader {
   PointRows& rows_;
   std::optional<ChosenColumns> chosen_;
   std::optional<std::string> z_;
+  std::optional<std::size_t> radius_;  // the column of radii, from 0
   std::optional<std::string_view> heading_;
   struct Comment {
     std::string_view text;

@@ -15,6 +15,7 @@
 
 #include "certify/pair_claim.h"
 #include "flowcert/claim.h"
+#include "flowcert/read_balls.h"
 #include "flowcert/read_points.h"
 #include "tests/cites.h"
 
@@ -97,11 +98,14 @@ TEST(ReaderMemory, OfPoints) {
                             kRows)},
       {"npy", npy()},
       {"pdb", repeated("", "ATOM      1  CA  ALA A   1      11.104   6.134  -6.504  1.00  0.00           C\n", kRows)},
+      {"pqr", repeated("", "ATOM 1 CA ALA A 1 11.104 6.134 -6.504 0.1 1.9\n", kRows)},
       {"cif", repeated("data_a\nloop_\n_atom_site.group_PDB\n_atom_site.id\n_atom_site.type_symbol\n"
                        "_atom_site.label_asym_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n",
                        "ATOM 1 C A 1.5 2.5 3.5\n", kRows)}};
   for (const auto& [what, bytes] : files) {
     expect_little(what, bytes.size(), [&bytes = bytes] { return read_points_from(bytes, "file"); });
+    expect_little(what, bytes.size(),
+                  [&bytes = bytes] { return read_balls_from(bytes, "file", {}, AtomRadii("1.5")); });
   }
 }
 

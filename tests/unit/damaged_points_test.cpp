@@ -55,6 +55,8 @@ std::vector<Seed> seeds() {
        AfterCut::kRefusedOrAllRows},
       {"a.pdb", atom + "   1.250  -2.000  30.000\n" + atom + "   1.500   5.000   6.750\nEND\n",
        AfterCut::kRefusedOrAPrefix},
+      {"a.pqr", "ATOM 1 N ALA 1 1.25 -2 3e1 0.1 1.8\nATOM 2 CA ALA A 1 1.5 5 6.75 -0.1 2\nTER\n",
+       AfterCut::kRefusedOrAPrefix},
       {"a.cif", cif + "ATOM 1.25 -2 3e1\nATOM 1.5 5 6.75\n", AfterCut::kRefusedOrAPrefix},
       {"a.pcd", pcd + "ascii\n" + rows, AfterCut::kRefusedOrLastShorter},
       {"b.pcd", pcd + "binary\n" + numbers, AfterCut::kAlwaysRefused},

@@ -15,7 +15,7 @@ namespace {
 
 const Rows kThree = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0.5}};
 const std::string kReadFormats =
-    "; these formats are read: table, pts, chemical, off, ply, obj, pcd, npy, pdb, cif (--format says one)";
+    "; these formats are read: table, pts, chemical, off, ply, obj, pcd, npy, pdb, pqr, cif (--format says one)";
 
 struct Example {
   const char* what;

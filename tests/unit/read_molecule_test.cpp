@@ -74,7 +74,8 @@ TEST(ReadPdb, Errors) {
   EXPECT_EQ(refusal(atom(kOne).substr(0, 50), "a.pdb"), "a.pdb:1: an atom's line ends before column 54");
   EXPECT_EQ(refusal(atom(kOne) + atom(kTwo, "ATOM  ", 'B'), "a.pdb", {.chains = {"A", "X"}}),
             "a.pdb: there is no chain 'X'; there are 'A', 'B'");
-  EXPECT_EQ(refusal("1 2 3\n", "a.xyz", {.chains = {"A"}}), "a.xyz: --chains is for PDB and CIF, and this is table");
+  EXPECT_EQ(refusal("1 2 3\n", "a.xyz", {.chains = {"A"}}),
+            "a.xyz: --chains is for PDB, PQR and CIF, and this is table");
 }
 
 const std::string kCif =

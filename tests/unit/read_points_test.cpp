@@ -25,8 +25,8 @@ constexpr double kLargest = std::numeric_limits<double>::max();
 constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
 
 const std::string kUnknown =
-    "not a known format; these formats are read: table, pts, chemical, off, ply, obj, pcd, npy, pdb, cif (--format "
-    "says one)";
+    "not a known format; these formats are read: table, pts, chemical, off, ply, obj, pcd, npy, pdb, pqr, cif "
+    "(--format says one)";
 const std::string kSkip = "; --skip-invalid leaves such rows out";
 
 // ---- Tables ----

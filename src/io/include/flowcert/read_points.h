@@ -1,5 +1,5 @@
-// Reads point files: tables of numbers, PTS, chemical XYZ, OFF, PLY, OBJ, PCD, NPY, and molecules as PDB or CIF, each
-// also gzip-compressed. The content of a file says which of these it is.
+// Reads point files: tables of numbers, PTS, chemical XYZ, OFF, PLY, OBJ, PCD, NPY, and molecules as PDB, PQR or CIF,
+// each also gzip-compressed. The content of a file says which of these it is.
 //
 // Guarantees: all or nothing. Either every row of the file comes back, in order, or InvalidInput names file and line.
 // Coordinates are finite, and are the doubles that the file means: nearest to a decimal (ties to even), exact for
@@ -23,7 +23,7 @@ namespace flowcert {
 
 // What a user says of a file. An option that the file's format does not know is an error.
 struct ReadingOptions {
-  // "table", "pts", "chemical", "off", "ply", "obj", "pcd", "npy", "pdb" or "cif". Empty: the content says it.
+  // "table", "pts", "chemical", "off", "ply", "obj", "pcd", "npy", "pdb", "pqr" or "cif". Empty: the content says it.
   std::string format{};
   // Of a table: which of its columns are x, y, z, by numbers from 1 or by names, as "2,3,4" or "x,y,z". Empty: those
   // named x, y, z, or else the first three.
@@ -43,6 +43,8 @@ struct ReadingOptions {
   bool skip_invalid = false;
   // Also reads compressed files that grow to more than a hundred times their size, or 4 GB.
   bool unlimited = false;
+  // Of atoms with radii (read_balls.h) alone: takes those of a crystal's file as a finite set, without their images.
+  bool finite = false;
   // Called now and then while the file is read. It may throw, which ends the reading.
   std::function<void()> progress{};
 };

@@ -1,0 +1,32 @@
+// Pores of balls as text for other programs (spec/formats/pores.md).
+//
+// Guarantees: values are exact, as polynomials, with the nearest doubles beside them. The text depends on the balls and
+// what is asked for alone.
+#pragma once
+
+#include <optional>
+#include <ostream>
+
+#include "flowcert/atom_names.h"
+#include "flowcert/ball_cavities.h"
+#include "flowcert/pores.h"
+
+namespace flowcert {
+
+struct PoresToWrite {
+  const Pores& pores;
+  Rational depth;
+  std::optional<Rational> probe;
+  const AtomNames* atoms = nullptr;  // of a molecule
+};
+
+// One JSON object, chamber by chamber.
+void write_pores(std::ostream& out, const PoresToWrite& what);
+// A table in CSV with a line of names, a row for each chamber. Numbers are the nearest doubles.
+void write_pores_csv(std::ostream& out, const PoresToWrite& what);
+// The same of all windows of chambers, a row for each chamber and each of its windows.
+void write_windows_csv(std::ostream& out, const PoresToWrite& what);
+// The number of cavities as a function of the probe, a row for each step, from the greatest probe down.
+void write_cavity_curve_csv(std::ostream& out, const Pores& pores);
+
+}  // namespace flowcert
