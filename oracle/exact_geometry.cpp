@@ -16,35 +16,6 @@ namespace oracle {
 
 namespace {
 
-std::vector<Point> edges_of(const std::vector<Point>& simplex) {
-  std::vector<Point> edges;
-  for (std::size_t i = 1; i < simplex.size(); ++i) edges.push_back(minus(simplex[i], simplex[0]));
-  return edges;
-}
-
-// Nothing iff the edges are linearly dependent. Up to a factor the vectors are cross products: f_i is
-// perpendicular to the other edges, and to the normal of a single plane. The factor is the same for all, as
-// the determinant stays the same when its rows are turned: <a, b x c> = <b, c x a> = <c, a x b>.
-std::optional<std::vector<Point>> dual_basis(const std::vector<Point>& edges) {
-  if (edges.empty()) return edges;
-  std::vector<Point> dual;
-  if (edges.size() == 1) dual = edges;
-  if (edges.size() == 2) {
-    const Point normal = cross(edges[0], edges[1]);
-    dual = {cross(edges[1], normal), cross(normal, edges[0])};
-  }
-  if (edges.size() == 3) {
-    dual = {cross(edges[1], edges[2]), cross(edges[2], edges[0]), cross(edges[0], edges[1])};
-  }
-  if (dual.empty()) return std::nullopt;  // four vectors
-  const Rational factor = dot(edges[0], dual[0]);
-  if (factor == 0) return std::nullopt;
-  for (Point& vector : dual) {
-    for (Rational& coordinate : vector) coordinate /= factor;
-  }
-  return dual;
-}
-
 bool independent(const std::vector<Point>& points) { return dual_basis(edges_of(points)).has_value(); }
 
 // The barycentric coordinates of p_0 + way. The way must be in the span of the edges.
@@ -91,6 +62,35 @@ Point midpoint(const Point& a, const Point& b) { return moved(a, Rational(1, 2),
 Rational squared_distance(const Point& a, const Point& b) {
   const Point difference = minus(a, b);
   return dot(difference, difference);
+}
+
+std::vector<Point> edges_of(const std::vector<Point>& simplex) {
+  std::vector<Point> edges;
+  for (std::size_t i = 1; i < simplex.size(); ++i) edges.push_back(minus(simplex[i], simplex[0]));
+  return edges;
+}
+
+// Up to a factor the vectors are cross products: each is perpendicular to the other edges, and to the normal of a
+// single plane. The factor is the same for all, as the determinant stays the same when its rows are turned:
+// <a, b x c> = <b, c x a> = <c, a x b>.
+std::optional<std::vector<Point>> dual_basis(const std::vector<Point>& edges) {
+  if (edges.empty()) return edges;
+  std::vector<Point> dual;
+  if (edges.size() == 1) dual = edges;
+  if (edges.size() == 2) {
+    const Point normal = cross(edges[0], edges[1]);
+    dual = {cross(edges[1], normal), cross(normal, edges[0])};
+  }
+  if (edges.size() == 3) {
+    dual = {cross(edges[1], edges[2]), cross(edges[2], edges[0]), cross(edges[0], edges[1])};
+  }
+  if (dual.empty()) return std::nullopt;  // four vectors
+  const Rational factor = dot(edges[0], dual[0]);
+  if (factor == 0) return std::nullopt;
+  for (Point& vector : dual) {
+    for (Rational& coordinate : vector) coordinate /= factor;
+  }
+  return dual;
 }
 
 std::optional<Circumcentre> circumcentre(const std::vector<Point>& simplex) {

@@ -1,8 +1,7 @@
 // Exact geometry of a handful of points in R^3: circumcentres, affine hulls, faces of convex hulls.
 //
 // Everything here is computed in rational numbers, so every answer is the true one. Nothing is filtered, rounded or
-// compared up to a tolerance. All of it rests on one operation, the dual basis of at most three edges (dual_basis in
-// the .cpp file). The affine hull of the points may have any dimension, 0 to 3, and no position is excluded.
+// compared up to a tolerance. All of it rests on one operation, the dual basis of at most three edges. The affine hull of the points may have any dimension, 0 to 3, and no position is excluded.
 #pragma once
 
 #include <array>
@@ -27,6 +26,13 @@ Point moved(const Point& x, const Rational& time, const Point& direction);  // x
 Point scaled(const Point& x, const Rational& by);
 Point midpoint(const Point& a, const Point& b);
 Rational squared_distance(const Point& a, const Point& b);
+
+// From the first point to each other one, in order.
+std::vector<Point> edges_of(const std::vector<Point>& simplex);
+
+// Vectors in the span of e_1 ... e_k: the i-th has the inner product 1 with e_i, and 0 with the others. Nothing iff the
+// edges are linearly dependent.
+std::optional<std::vector<Point>> dual_basis(const std::vector<Point>& edges);
 
 // The point of the affine hull of `simplex` at equal distance from all its points, and its barycentric coordinates.
 // Nothing iff the points are affinely dependent (five points and more always are), or `simplex` is empty.

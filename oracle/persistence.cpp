@@ -11,7 +11,7 @@ namespace oracle {
 
 namespace {
 
-struct Ball {
+struct EnclosingBall {
   Point center;
   Rational squared_radius;
 };
@@ -28,11 +28,11 @@ std::vector<Places> facets_of(const Places& simplex) {
 // The smallest enclosing ball of each set of at most four samples. If the ball of a facet contains the point that the
 // facet lacks, it is also the ball of the whole set. If no facet's ball does, every point is needed. Then the points
 // are affinely independent and on the ball's sphere, and the centre is in the interior of their simplex.
-std::map<Places, Ball> enclosing_balls(const PointSet& set) {
-  std::map<Places, Ball> balls;
-  const auto ball_of = [&](const Places& simplex) -> Ball {
+std::map<Places, EnclosingBall> enclosing_balls(const PointSet& set) {
+  std::map<Places, EnclosingBall> balls;
+  const auto ball_of = [&](const Places& simplex) -> EnclosingBall {
     for (const Places& facet : facets_of(simplex)) {
-      const Ball& ball = balls.at(facet);
+      const EnclosingBall& ball = balls.at(facet);
       const bool encloses = std::all_of(simplex.begin(), simplex.end(), [&](std::size_t place) {
         return squared_distance(ball.center, set.points[place]) <= ball.squared_radius;
       });

@@ -4,6 +4,7 @@
 //   certify INPUT RECORDS   judges claimed stationary points, drawn at random, by linear scans
 //   orbit INPUT --from X    the flow from one position, by linear scans over all points
 //   witness INPUT CYCLES    judges what shows that pairs of dimension 1 occur, by linear scans
+//   pores BALLS             chambers between balls, by search over all subsets
 //
 // Exit status: 0 all right; 1 a claim is wrong; 2 unusable input or usage, with one line on standard error. Without a
 // command it prints what there is on standard output. Nothing was judged then, so the status is 2.
@@ -23,6 +24,8 @@
 #include "oracle/orbit.h"
 #include "oracle/program/answer_fields.h"
 #include "oracle/program/out_of_memory.h"
+#include "oracle/program/pores_field.h"
+#include "oracle/program/read_balls.h"
 #include "oracle/program/read_points.h"
 #include "oracle/program/read_records.h"
 #include "oracle/program/read_witnesses.h"
@@ -246,6 +249,26 @@ int run_witness(const std::string& input, const std::string& cycles) {
   return are_right ? 0 : kWrong;
 }
 
+int run_pores(const std::string& input, const std::string& depth_text, std::size_t limit) {
+  const oracle::Rational depth = oracle::exact_number(depth_text, "--depth: ");
+  if (depth < 0) throw oracle::UnusableInput("--depth: " + depth_text + " is below 0");
+  const std::vector<oracle::Ball> balls = oracle::read_ball_file(input);
+  if (balls.size() > limit) {
+    throw oracle::UnusableInput(input + ": " + with_commas(balls.size()) +
+                                " balls; the search over all subsets of four takes time n^5 (see --limit)");
+  }
+  const oracle::WaitingLine line("searching all subsets");
+  oracle::Json object;
+  object["format"] = "oracle-pores";
+  object["format_version"] = 1;
+  object["balls"] = balls.size();
+  object["depth"] = exact_text(depth);
+  object.update(oracle::pores_field(oracle::pores(balls, depth)));
+  object["nerve"] = oracle::cavities_field(oracle::cavities_by_homology(balls));
+  std::cout << object.dump() << '\n';
+  return 0;
+}
+
 // Help with its examples first. It is made here, because versions of CLI11 lay it out differently.
 struct HelpFormatter : CLI::Formatter {
   static std::string row(const std::string& left, const std::string& right) {
@@ -290,9 +313,9 @@ int run(int argc, char** argv) {
   app.footer(
       "Examples:\n  flowcert-oracle stationary cube.xyz\n"
       "  flowcert-oracle certify bunny.xyz bunny.jsonl --sample 200 --seed 1");
-  std::string input, records, from, cycles;
+  std::string input, records, from, cycles, depth = "0";
   bool json = false;
-  std::size_t limit = 100;
+  std::size_t limit = 100, ball_limit = 40;
   std::int64_t sample = 200;
   std::uint64_t seed = 1;
 
@@ -332,6 +355,12 @@ int run(int argc, char** argv) {
       "Examples:\n  flowcert-oracle witness cube.xyz cube.json\n"
       "  flowcert-oracle witness bunny.xyz bunny.json");
 
+  CLI::App& rooms = *app.add_subcommand("pores", "Chambers between a few balls, with their windows, in JSON");
+  rooms.add_option("BALLS", input, "Lines x y z r: decimals or fractions p/q (exact)")->required();
+  rooms.add_option("--depth", depth, "List the chambers of this depth or deeper")->capture_default_str();
+  rooms.add_option("--limit", ball_limit, "Refuse inputs of more balls")->capture_default_str();
+  rooms.footer("Examples:\n  flowcert-oracle pores cage.balls --depth 1/2");
+
   if (argc <= 1) {
     std::cout << app.help();
     return kUnusable;
@@ -344,6 +373,7 @@ int run(int argc, char** argv) {
     throw oracle::UnusableInput(std::string(error.what()) + " (see --help)");
   }
   if (shown.parsed()) return run_witness(input, cycles);
+  if (rooms.parsed()) return run_pores(input, depth, ball_limit);
   if (flow.parsed()) return run_orbit(input, from, json);
   return list.parsed() ? run_stationary(input, json, limit)
                        : run_certify(input, records, static_cast<std::size_t>(sample), seed);

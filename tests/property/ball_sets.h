@@ -1,0 +1,22 @@
+// Random sets of balls that are degenerate: integer centres, few radii, symmetric sets, cages, balls that touch or hide
+// each other, and equal ones.
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "flowcert/ball_set.h"
+
+namespace flowcert::property {
+
+struct DegenerateBalls {
+  std::string family;
+  std::vector<Ball> balls;
+};
+
+// The same set for the same number, on every system. At most nine balls.
+[[nodiscard]] DegenerateBalls degenerate_balls(std::uint64_t number);
+
+}  // namespace flowcert::property
