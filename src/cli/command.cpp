@@ -86,19 +86,14 @@ void add_input_options(CLI::App& command, InputOptions& options, const std::stri
       .add_option(
           "--format", reading.format,
           "Read it as this: table (rows of numbers, CSV), pts, chemical (XYZ with elements), off, ply, obj, pcd, "
-          "npy, pdb or cif, each also compressed by gzip; without this its content says what it is")
+          "npy, pdb, pqr or cif, each also compressed by gzip; without this its content says what it is")
       ->type_name("NAME")
       ->group(kReadingGroup);
   add_options_of_tables(command, reading);
   add_options_of_molecules(command, reading);
 }
 
-PointFile read_points_aloud(const std::string& path, const ReadingOptions& reading) {
-  PointFile file = [&] {
-    const bool is_piped = path == kStandardStream;
-    const ProgressLine progress(is_piped ? "reading standard input" : "reading points", is_piped ? STDIN_FILENO : -1);
-    return read_points(path, reading);
-  }();
+void tell_of_reading(const std::string& path, const PointFile& file) {
   for (const ReadingNote& note : file.notes) {
     const std::string line = note.line > 0 ? fmt::format(":{}", note.line) : "";
     io::tell(fmt::format("note: {}{}: {}\n", display_name(path), line, on_one_line(note.text)));
@@ -107,6 +102,15 @@ PointFile read_points_aloud(const std::string& path, const ReadingOptions& readi
     io::tell(fmt::format("note: {}: {} row{} left out, with a coordinate that is not a finite number\n",
                          display_name(path), with_commas(rows), rows == 1 ? " is" : "s are"));
   }
+}
+
+PointFile read_points_aloud(const std::string& path, const ReadingOptions& reading) {
+  PointFile file = [&] {
+    const bool is_piped = path == kStandardStream;
+    const ProgressLine progress(is_piped ? "reading standard input" : "reading points", is_piped ? STDIN_FILENO : -1);
+    return read_points(path, reading);
+  }();
+  tell_of_reading(path, file);
   return file;
 }
 

@@ -44,6 +44,7 @@ void add_orbit_command(CLI::App& app);
 void add_persistence_command(CLI::App& app);
 void add_pockets_command(CLI::App& app);
 void add_points_command(CLI::App& app);
+void add_pores_command(CLI::App& app);
 // Several: completion, manual and share-files. They say what the program offers at the time when they are called.
 void add_shell_commands(CLI::App& app);
 void add_stats_command(CLI::App& app);
@@ -51,8 +52,9 @@ void add_surface_command(CLI::App& app);
 // In a program that was built without FLOWCERT_JUDGE, a name only.
 void add_view_command(CLI::App& app, int& status);
 
-// Reads the file, and says on standard error what a user should know of it: the reader's notes, and rows that are left
-// out.
+// Says on standard error what a user should know of a file: the reader's notes, and rows that are left out.
+void tell_of_reading(const std::string& path, const PointFile& file);
+// Reads the file, and says that.
 [[nodiscard]] PointFile read_points_aloud(const std::string& path, const ReadingOptions& reading = {});
 
 // What most commands are asked for: a file of points, how to read it, and how many threads compute.

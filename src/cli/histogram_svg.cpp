@@ -7,15 +7,12 @@
 #include <vector>
 
 #include "cli/command.h"
-#include "cli/xml_text.h"
+#include "cli/svg_plot.h"
 
 namespace flowcert::cli {
 
 namespace {
 
-// In pixels: the picture, and the rectangle between the axes.
-constexpr double kPictureWidth = 720, kPictureHeight = 420;
-constexpr double kPlotLeft = 90, kPlotRight = 700, kPlotTop = 60, kPlotBottom = 360;
 constexpr std::size_t kMostLabels = 15;
 
 struct CountAxis {
@@ -28,8 +25,7 @@ struct CountAxis {
   }
 };
 
-// A logarithmic axis has ticks at powers of ten. The other one has 2 to 5 of them, at multiples of 1, 2 or 5 times a
-// power of ten.
+// A logarithmic axis has ticks at powers of ten.
 CountAxis count_axis(const Histogram& histogram) {
   const auto largest = static_cast<double>(std::max<std::size_t>(largest_count(histogram.bins), 1));
   CountAxis axis{.top = 1, .ticks = {}, .is_logarithmic = histogram.is_logarithmic};
@@ -38,23 +34,9 @@ CountAxis count_axis(const Histogram& histogram) {
     axis.top = axis.ticks.back();
     return axis;
   }
-  const double power = std::pow(10, std::floor(std::log10(largest)));
-  const double step = largest < 2 * power ? power / 2 : largest < 5 * power ? power : 2 * power;
-  const double whole_step = std::max(step, 1.0);
-  axis.ticks = {0};
-  while (axis.ticks.back() < largest) axis.ticks.push_back(axis.ticks.back() + whole_step);
+  axis.ticks = count_ticks(largest);
   axis.top = axis.ticks.back();
   return axis;
-}
-
-std::string text_at(double x, double y, const char* anchor, const std::string& text, int size = 12) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" font-size=\"{}\">{}</text>\n", x, y, anchor,
-                     size, xml_text(text));
-}
-
-std::string line_from(double x1, double y1, double x2, double y2, const char* color) {
-  return fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\"/>\n", x1, y1, x2, y2,
-                     color);
 }
 
 std::string bars_of(const Histogram& histogram, const CountAxis& axis) {
@@ -79,23 +61,15 @@ std::string bars_of(const Histogram& histogram, const CountAxis& axis) {
 
 std::string histogram_svg(const Histogram& histogram, const std::string& source) {
   const CountAxis axis = count_axis(histogram);
-  std::string out = fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" "
-      "height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\">\n"
-      "<rect width=\"{0:.0f}\" height=\"{1:.0f}\" fill=\"white\"/>\n",
-      kPictureWidth, kPictureHeight);
-  out += text_at(kPlotLeft, 24, "start", histogram.title, 15) + text_at(kPlotLeft, 44, "start", source);
+  std::string drawn;
   for (const double tick : axis.ticks) {
     const double y = axis.at(tick);
-    out += line_from(kPlotLeft, y, kPlotRight, y, "#dddddd");
-    out += text_at(kPlotLeft - 8, y + 4, "end", with_commas(static_cast<unsigned long long>(tick)));
+    drawn += line_from(kPlotLeft, y, kPlotRight, y, "#dddddd");
+    drawn += text_at(kPlotLeft - 8, y + 4, "end", with_commas(static_cast<unsigned long long>(tick)));
   }
-  out += bars_of(histogram, axis);
-  out += line_from(kPlotLeft, kPlotTop, kPlotLeft, kPlotBottom, "black") +
-         line_from(kPlotLeft, kPlotBottom, kPlotRight, kPlotBottom, "black");
+  drawn += bars_of(histogram, axis);
   const std::string scale = histogram.is_logarithmic ? "; the counts are on a logarithmic axis" : "";
-  out += text_at((kPlotLeft + kPlotRight) / 2, kPlotBottom + 42, "middle", histogram.value + ", from" + scale);
-  return out + "</svg>\n";
+  return svg_plot(histogram.title, source, drawn, histogram.value + ", from" + scale);
 }
 
 }  // namespace flowcert::cli

@@ -70,6 +70,7 @@ void add_commands(CLI::App& app, int& status) {
   add_persistence_command(app);
   add_cycles_command(app);
   add_pockets_command(app);
+  add_pores_command(app);
   add_stats_command(app);
   add_view_command(app, status);
   add_explain_command(app, status);
@@ -84,7 +85,7 @@ void add_commands(CLI::App& app, int& status) {
   add_fuzz_command(app, status);
   add_help_command(app);
   add_shell_commands(app);
-  put_in_group(app, "Compute", {"compute", "surface", "persistence", "cycles", "pockets", "medial", "stats"});
+  put_in_group(app, "Compute", {"compute", "surface", "persistence", "cycles", "pockets", "pores", "medial", "stats"});
   put_in_group(app, "Look closely", {"view", "explain", "orbit", "locate", "points", "help"});
   put_in_group(app, "Judge claims and programs", {"check", "conformance", "generate", "verify", "fuzz"});
   put_absent_commands_apart(app);
