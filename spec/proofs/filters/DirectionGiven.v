@@ -2,7 +2,7 @@
    kGivenStartBound roundoffs more (`rounded_direction` and `keep` of src/flow/kernels/direction_rung.h).
    `known_within` is `known` of a longer precision. A direction in integers has the error 0 there. This is about real
    numbers that are rounded. The error of a rounded direction has to be 4 u at least, which the constant rests on; the
-   angle alone needs 1.2. *)
+   angle grows by less, 1.2 u. *)
 From Coq Require Import Reals ZArith QArith Qreals Lra Lia Psatz Bool List.
 From Flocq Require Import Core.
 From Flowcert Require Import algebra.Vector3 code.Expression code.generated.Constants filters.Rounding
