@@ -62,6 +62,7 @@ def commands(source, is_small):
     yield ["persistence", source]
     yield ["pockets", source, "--tree", "pockets"]
     yield ["pockets", source, "--csv", "pockets.csv", "--export", "files", "--all"]
+    yield ["pores", source, "--radii", "1/4", "--depth", "0", "--json", "--windows-csv", "windows.csv"]
     yield ["stats", source, "--json"]
     yield ["stats", source, "--svg", "pictures"]
     yield ["medial", source, "--json", "--export", "files"]

@@ -152,8 +152,8 @@ std::shared_ptr<CLI::FormatterBase> help_formatter() { return std::make_shared<H
 
 // ---- Without a command ----
 
-// Groups, lines and examples are those of --help. Commands that set up a shell are only there. All fits 24 lines,
-// without blank ones.
+// Groups, lines and the example are those of --help. Commands that set up a shell and further examples are only there.
+// All fits 24 lines, without blank ones.
 std::string overview(const CLI::App& app) {
   const DescribedCommand program = described(app);
   std::size_t width = 0;
@@ -162,9 +162,8 @@ std::string overview(const CLI::App& app) {
   for (const auto& [group, lines] : lines_by_group(program, width + 4)) {
     if (group != kSetUpGroup) text += group + '\n' + lines;
   }
-  text += fmt::format("Begin with these; {} COMMAND --help tells more\n", program.name);
-  for (const std::string& example : program.footer.examples) text += fmt::format("  {}\n", example);
-  return text;
+  text += fmt::format("Begin with this; {} COMMAND --help tells more\n", program.name);
+  return text + fmt::format("  {}\n", program.footer.examples.at(0));
 }
 
 // ---- The nearest name ----

@@ -65,8 +65,8 @@ void run_pores(const PoresOptions& options) {
     pores.emplace(input.balls, depth, input.threads);
   }
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  const PoresToWrite what{*pores, depth, probe, input.atoms()};
-  const std::string source = fmt::format("{}, radii {}", input.title(), options.radii);
+  const PoresToWrite what{*pores, depth, probe, input.atoms(), on_one_line(options.radii)};
+  const std::string source = fmt::format("{}, radii {}", input.title(), what.radii);
   if (!options.curve.empty()) write_curve(options.curve, *pores, source);
   const bool is_csv = write_table(options.csv, [&](std::ostream& out) { write_pores_csv(out, what); });
   const bool is_windows = write_table(options.windows_csv, [&](std::ostream& out) { write_windows_csv(out, what); });
@@ -75,7 +75,7 @@ void run_pores(const PoresOptions& options) {
     write_pores(std::cout, what);
     std::cout.flush();
   } else if (!is_csv && !is_windows) {
-    print_pores_report({input.title(), options.radii, what, options.all, seconds});
+    print_pores_report({input.title(), what, options.all, seconds});
     if (!options.curve.empty()) print_cavity_curve(*pores);
   }
 }

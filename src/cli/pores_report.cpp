@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "cli/command.h"
@@ -14,12 +15,12 @@ namespace flowcert::cli {
 
 namespace {
 
-constexpr std::size_t kShownChambers = 20, kShownWindows = 5;
+constexpr std::size_t kShownChambers = 20, kShownWindows = 5, kShownAtoms = 12;
 
-// A millionth of an ångström can be seen; very small and very large lengths have seven digits.
+// A millionth of an ångström can be seen; very small and very large lengths have five digits.
 std::string length_text(double value) {
   const double size = std::fabs(value);
-  return (size >= 1e-2 && size < 1e6) || value == 0 ? fmt::format("{:.6f}", value) : fmt::format("{:.7g}", value);
+  return (size >= 1e-2 && size < 1e6) || value == 0 ? fmt::format("{:.6f}", value) : fmt::format("{:.5g}", value);
 }
 
 class Report {
@@ -31,14 +32,15 @@ class Report {
   }
 
   void print() const {
-    print_wrapped(fmt::format("{}, radii {}", report_.input, report_.radii));
+    print_wrapped(fmt::format("{}, radii {}", report_.input, report_.what.radii));
     print_wrapped(
         "Lengths are radii of a probe that just fits, beyond the surfaces of the balls; regions are those of its "
         "centre. To touch is to fit.");
     print_counts();
-    if (shown_ == 0) return;
+    if (shown_ == 0) return print_that_there_is_none();
     print_chambers();
     print_windows();
+    print_witnesses();
   }
 
  private:
@@ -48,9 +50,9 @@ class Report {
     if (const std::size_t hidden = all - pores_.balls().visible().size(); hidden > 0) {
       print_row("hidden balls", with_commas(hidden), "inside of another ball, whatever the probe");
     }
-    print_row("chambers", with_commas(pores_.chambers().size()),
-              fmt::format("of depth {} or more; {} of any depth", to_text_of(report_.what.depth),
-                          with_commas(pores_.cavities().size())));
+    print_row(
+        "chambers", with_commas(pores_.chambers().size()),
+        report_.what.depth == 0 ? "of any depth" : fmt::format("of depth {} or more", to_text_of(report_.what.depth)));
     if (probe_) print_probe();
     if (!pores_.chambers().empty()) print_diameters();
     print_row("all of it", seconds_text(report_.seconds));
@@ -73,20 +75,22 @@ class Report {
   }
 
   void print_diameters() const {
-    std::size_t widest = 0;
-    std::optional<std::size_t> limiting;
     const auto& chambers = pores_.chambers();
-    for (std::size_t number = 0; number < chambers.size(); ++number) {
-      if (rank(chambers[number].peaks[0]) < rank(chambers[widest].peaks[0])) widest = number;
-      const std::optional<std::uint32_t> exit = chambers[number].exit;
-      if (exit && (!limiting || rank(*exit) < rank(*chambers[*limiting].exit))) limiting = number;
+    const WidestChambers widest = widest_chambers(pores_);
+    if (widest.of_peak) {
+      print_row("largest cavity diameter", diameter(chambers[*widest.of_peak].peaks[0]),
+                fmt::format("twice the widest peak, of chamber {} (LCD)", *widest.of_peak));
     }
-    print_row("largest cavity diameter", diameter(chambers[widest].peaks[0]),
-              fmt::format("twice the widest peak, of chamber {} (LCD)", widest));
-    if (limiting) {
-      print_row("pore limiting diameter", diameter(*chambers[*limiting].exit),
-                fmt::format("twice the widest exit, of chamber {} (PLD; of a finite set)", *limiting));
+    if (widest.of_exit) {
+      print_row("pore limiting diameter", diameter(*chambers[*widest.of_exit].exit),
+                fmt::format("twice the widest exit, of chamber {} (PLD; of a finite set)", *widest.of_exit));
     }
+  }
+
+  void print_that_there_is_none() const {
+    print_wrapped(pores_.cavities().empty() ? "no chamber: from wherever a probe fits, it can get out"
+                                            : fmt::format("no chamber is as deep as {}; --depth 0 tells all",
+                                                          to_text_of(report_.what.depth)));
   }
 
   void print_chambers() const {
@@ -99,19 +103,14 @@ class Report {
         "  peak: where it is widest; gate: the widest way to a higher chamber or the outside; exit: the widest way to "
         "the outside; < 0: none where balls do not overlap",
         2);
-    Table table(probe_ ? "rrrrrrrrrl" : "rrrrrrrrr",
-                {"chamber", "x", "y", "z", "peak", "gate", "depth", "exit", "windows"});
+    Table table(probe_ ? "rrrrrrl" : "rrrrrr", {"chamber", "peak", "gate", "depth", "exit", "windows"});
     if (probe_) table.cell("probe");
     for (std::size_t number = 0; number < shown_; ++number) {
       const Chamber& chamber = pores_.chambers()[number];
-      add_place(table.row(std::to_string(number)), chamber.peaks[0]);
-      table.cell(value(chamber.peaks[0]));
-      if (chamber.gates.empty()) {
-        table.cell("< 0").cell("");
-      } else {
-        table.cell(value(chamber.gates[0]));
-        table.cell(length_text(nearest_difference(pores_.value(chamber.peaks[0]), pores_.value(chamber.gates[0]))));
-      }
+      const QuadraticNumber gate = chamber.gates.empty() ? QuadraticNumber() : pores_.value(chamber.gates[0]);
+      table.row(std::to_string(number)).cell(value(chamber.peaks[0]));
+      table.cell(chamber.gates.empty() ? "< 0" : length_text(nearest_or_infinity(gate)));
+      table.cell(length_text(nearest_difference(pores_.value(chamber.peaks[0]), gate)));
       table.cell(chamber.exit ? value(*chamber.exit) : "< 0").cell(chamber.windows.size());
       if (probe_) table.cell(status_text(pores_.status(chamber, *probe_)));
     }
@@ -119,10 +118,7 @@ class Report {
   }
 
   void print_windows() const {
-    print_wrapped(fmt::format("\ntheir windows, from the widest down{}: the narrowest places of ways to other chambers",
-                              report_.shows_all ? "" : fmt::format(", at most {}", kShownWindows)),
-                  2);
-    Table table("rrrrrll", {"chamber", "x", "y", "z", "diameter", "to", "atoms"});
+    Table table("rrrrrll", {"from", "x", "y", "z", "diameter", "to", "atoms"});
     for (std::size_t number = 0; number < shown_; ++number) {
       std::vector<std::uint32_t> windows = pores_.chambers()[number].windows;
       if (!report_.shows_all && windows.size() > kShownWindows) windows.resize(kShownWindows);
@@ -132,7 +128,32 @@ class Report {
         table.cell(diameter(window.point)).cell(rooms_text(window, number)).cell(atoms_text(window.point));
       }
     }
+    if (table.height() == 1) return print_wrapped("\nno window");
+    print_wrapped(fmt::format("\ntheir windows, from the widest down{}: the narrowest places of ways to other chambers",
+                              report_.shows_all ? "" : fmt::format(", at most {} of each", kShownWindows)),
+                  2);
     table.print();
+  }
+
+  void print_witnesses() const {
+    print_wrapped("\ntheir peaks and gates, and the atoms nearest to these places", 2);
+    Table table("rlrrrl", {"chamber", "of", "x", "y", "z", "atoms"});
+    for (std::size_t number = 0; number < shown_; ++number) {
+      const Chamber& chamber = pores_.chambers()[number];
+      add_witnesses(table, number, "peak", chamber.peaks);
+      add_witnesses(table, number, "gate", chamber.gates);
+    }
+    table.print();
+  }
+
+  // The first one of several is told, but for --all.
+  void add_witnesses(Table& table, std::size_t chamber, const char* what, const std::vector<std::uint32_t>& all) const {
+    for (std::size_t k = 0; k < (report_.shows_all ? all.size() : std::min<std::size_t>(all.size(), 1)); ++k) {
+      table.row(std::to_string(chamber));
+      table.cell(all.size() == 1 ? what : fmt::format("{}, {} of {}", what, k + 1, all.size()));
+      add_place(table, all[k]);
+      table.cell(atoms_text(all[k]));
+    }
   }
 
   [[nodiscard]] std::string rooms_text(const PoreWindow& window, std::size_t chamber) const {
@@ -147,19 +168,23 @@ class Report {
     return fmt::format("{}", fmt::join(rooms, ", "));
   }
   [[nodiscard]] std::string atoms_text(std::uint32_t point) const {
+    const auto& contacts = pores_.points()[point].contacts;
+    const std::size_t shown = report_.shows_all ? contacts.size() : std::min(contacts.size(), kShownAtoms);
     std::vector<std::string> texts;
-    for (const std::uint32_t id : pores_.points()[point].contacts) {
+    for (const std::uint32_t id : std::span(contacts).first(shown)) {
       texts.push_back(atoms_ != nullptr ? unbroken(fmt::format("{} {}", id, atoms_->text(id))) : std::to_string(id));
     }
-    return fmt::format("{}", fmt::join(texts, ", "));
+    const std::size_t others = contacts.size() - shown;
+    return fmt::format("{}{}", fmt::join(texts, ", "), others > 0 ? fmt::format(" and {} more", others) : "");
   }
 
+  // Adds three cells.
   void add_place(Table& table, std::uint32_t point) const {
     for (const QuadraticNumber& coordinate : pores_.position(point)) {
-      table.cell(fmt::format("{:.3f}", nearest_or_infinity(coordinate)));
+      const double x = nearest_or_infinity(coordinate);
+      table.cell(std::fabs(x) < 1e6 ? fmt::format("{:.3f}", x) : fmt::format("{:.4g}", x));
     }
   }
-  [[nodiscard]] std::uint32_t rank(std::uint32_t point) const { return pores_.points()[point].rank; }
   [[nodiscard]] std::string value(std::uint32_t point) const {
     return length_text(nearest_or_infinity(pores_.value(point)));
   }

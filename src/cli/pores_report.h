@@ -10,7 +10,6 @@ namespace flowcert::cli {
 
 struct PoresReport {
   std::string input;  // "cage.xyz (chemical XYZ)"
-  std::string radii;  // as the user has them
   const PoresToWrite& what;
   bool shows_all = false;
   double seconds = 0;

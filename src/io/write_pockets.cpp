@@ -15,6 +15,7 @@
 #include "flowcert/stable_manifolds.h"
 #include "geometry/difference_of_roots.h"
 #include "geometry/floating_point.h"
+#include "io/csv_fields.h"
 #include "io/json_fields.h"
 #include "io/layer.h"
 
@@ -166,18 +167,7 @@ void write_pockets(std::ostream& out, const PocketsToWrite& what) {
 }
 
 // ---- Tables ----
-// Rows of CSV (RFC 4180), for spreadsheets and data frames.
-
 namespace {
-
-std::string csv_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
-
-std::string csv_text(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
-}
 
 std::string position_text(const Point& p) {
   return fmt::format("{},{},{}", csv_number(p.x), csv_number(p.y), csv_number(p.z));

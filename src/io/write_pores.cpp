@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <set>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "geometry/floating_point.h"
+#include "io/csv_fields.h"
 #include "io/json_fields.h"
 #include "io/layer.h"
 #include "io/number_text.h"
@@ -27,18 +29,29 @@ Json number_field(const QuadraticNumber& number) {
   return json;
 }
 
+// The nearest double to twice the number: a diameter.
+double nearest_twice(const QuadraticNumber& number) {
+  return nearest_or_infinity(QuadraticNumber(Rational(2)) * number);
+}
+
+// A gate below 0 counts as 0 (FC-BALL-05).
+double nearest_depth(const Pores& pores, const Chamber& chamber) {
+  const QuadraticNumber gate = chamber.gates.empty() ? QuadraticNumber() : pores.value(chamber.gates[0]);
+  return nearest_difference(pores.value(chamber.peaks[0]), gate);
+}
+
 class PoreFields {
  public:
   explicit PoreFields(const PoresToWrite& what) : what_(what), pores_(what.pores) {}
 
   [[nodiscard]] Json chamber(const Chamber& chamber) const {
-    const QuadraticNumber peak = pores_.value(chamber.peaks[0]);
-    const QuadraticNumber gate = chamber.gates.empty() ? QuadraticNumber() : pores_.value(chamber.gates[0]);
     Json json;
     json["peak"] = witnesses(chamber.peaks);
     json["gate"] = chamber.gates.empty() ? Json(nullptr) : witnesses(chamber.gates);
-    json["depth"] = chamber.gates.empty() ? Json(nullptr) : double_field(nearest_difference(peak, gate));
+    json["depth"] = double_field(nearest_depth(pores_, chamber));
     json["exit"] = chamber.exit ? number_field(pores_.value(*chamber.exit)) : Json(nullptr);
+    json["diameter"] = diameter(chamber.peaks[0]);
+    json["limiting_diameter"] = chamber.exit ? diameter(*chamber.exit) : Json(nullptr);
     json["windows"] = chamber.windows;
     json["handles"] = Json::array();
     for (const std::uint32_t handle : chamber.handles) json["handles"].push_back(contacts(handle));
@@ -49,6 +62,7 @@ class PoreFields {
   [[nodiscard]] Json window(const PoreWindow& window) const {
     Json json;
     json["value"] = number_field(pores_.value(window.point));
+    json["diameter"] = diameter(window.point);
     json.update(point(window.point));
     json["rooms"] = Json::array();
     for (const std::uint32_t room : window.rooms) {
@@ -64,6 +78,8 @@ class PoreFields {
     for (const std::uint32_t each : points) json["points"].push_back(point(each));
     return json;
   }
+
+  [[nodiscard]] Json diameter(std::uint32_t point) const { return double_field(nearest_twice(pores_.value(point))); }
 
   [[nodiscard]] Json interval(const CavityInterval& cavity) const {
     return {cavity.gate ? number_field(pores_.value(*cavity.gate)) : Json(nullptr),
@@ -91,23 +107,49 @@ class PoreFields {
   const Pores& pores_;
 };
 
-std::string csv_number(const QuadraticNumber& number) {
-  const double value = nearest_or_infinity(number);
-  return std::isfinite(value) ? fmt::format("{}", value) : "";
-}
+std::string csv_number(const QuadraticNumber& number) { return io::csv_number(nearest_or_infinity(number)); }
 
 std::string csv_position(const Pores& pores, std::uint32_t point) {
   const auto [x, y, z] = pores.position(point);
   return fmt::format("{},{},{}", csv_number(x), csv_number(y), csv_number(z));
 }
 
+// The contacts of all these points as one field, and of a molecule their names as another one.
+std::string csv_atoms(const PoresToWrite& what, std::span<const std::uint32_t> points) {
+  std::set<std::uint32_t> ids;
+  for (const std::uint32_t point : points) {
+    const auto& contacts = what.pores.points()[point].contacts;
+    ids.insert(contacts.begin(), contacts.end());
+  }
+  std::string rows, names;
+  for (const std::uint32_t id : ids) {
+    rows += (rows.empty() ? "" : ";") + std::to_string(id);
+    if (what.atoms != nullptr) names += (names.empty() ? "" : "; ") + what.atoms->text(id);
+  }
+  return what.atoms == nullptr ? rows : rows + ',' + csv_text(names);
+}
+
 }  // namespace
+
+WidestChambers widest_chambers(const Pores& pores) {
+  WidestChambers widest;
+  const auto rank = [&](std::uint32_t point) { return pores.points()[point].rank; };
+  const auto& chambers = pores.chambers();
+  for (std::size_t number = 0; number < chambers.size(); ++number) {
+    const Chamber& chamber = chambers[number];
+    if (!widest.of_peak || rank(chamber.peaks[0]) < rank(chambers[*widest.of_peak].peaks[0])) widest.of_peak = number;
+    if (!chamber.exit) continue;
+    if (!widest.of_exit || rank(*chamber.exit) < rank(*chambers[*widest.of_exit].exit)) widest.of_exit = number;
+  }
+  return widest;
+}
 
 void write_pores(std::ostream& out, const PoresToWrite& what) {
   const geometry::IeeeDoubles ieee;
   const PoreFields fields(what);
   const Pores& pores = what.pores;
   Json json = header_fields("flowcert-pores", 1);
+  json["radii"] = what.radii.empty() ? Json(nullptr) : Json(what.radii);
   json["balls"] = pores.balls().size();
   json["hidden"] = Json::array();
   for (std::uint32_t id = 0; id < pores.balls().size(); ++id) {
@@ -116,6 +158,11 @@ void write_pores(std::ostream& out, const PoresToWrite& what) {
   json["depth"] = to_text(what.depth);
   json["probe"] = what.probe ? Json(to_text(*what.probe)) : Json(nullptr);
   if (what.probe) json["cavities_at_probe"] = pores.cavities_at(*what.probe);
+  const WidestChambers widest = widest_chambers(pores);
+  const auto& chambers = pores.chambers();
+  json["largest_cavity_diameter"] =
+      widest.of_peak ? fields.diameter(chambers[*widest.of_peak].peaks[0]) : Json(nullptr);
+  json["pore_limiting_diameter"] = widest.of_exit ? fields.diameter(*chambers[*widest.of_exit].exit) : Json(nullptr);
   json["vestibules"] = Json::array();
   for (const auto& peaks : pores.vestibules()) json["vestibules"].push_back(fields.witnesses(peaks));
   json["windows"] = Json::array();
@@ -127,8 +174,8 @@ void write_pores(std::ostream& out, const PoresToWrite& what) {
   std::string text = json.dump();
   text.resize(text.size() - 2);
   out << text;
-  for (std::size_t number = 0; number < pores.chambers().size(); ++number) {
-    out << (number > 0 ? "," : "") << fields.chamber(pores.chambers()[number]).dump();
+  for (std::size_t number = 0; number < chambers.size(); ++number) {
+    out << (number > 0 ? "," : "") << fields.chamber(chambers[number]).dump();
   }
   out << "]}\n";
 }
@@ -136,40 +183,41 @@ void write_pores(std::ostream& out, const PoresToWrite& what) {
 void write_pores_csv(std::ostream& out, const PoresToWrite& what) {
   const geometry::IeeeDoubles ieee;
   const Pores& pores = what.pores;
-  out << "chamber,x,y,z,peak,gate,depth,exit,windows,handles,peaks" << (what.probe ? ",is" : "") << '\n';
+  out << "chamber,x,y,z,peak,gate,depth,exit,diameter,limiting_diameter,windows,handles,peaks"
+      << (what.probe ? ",is" : "")
+      << (what.atoms == nullptr ? ",peak_atoms,gate_atoms\n" : ",peak_atoms,peak_names,gate_atoms,gate_names\n");
   for (std::size_t number = 0; number < pores.chambers().size(); ++number) {
     const Chamber& chamber = pores.chambers()[number];
     const QuadraticNumber peak = pores.value(chamber.peaks[0]);
-    const auto of_gate = [&](const auto& text) {
-      return chamber.gates.empty() ? std::string() : text(pores.value(chamber.gates[0]));
-    };
-    out << fmt::format("{},{},{},{},{},{},{},{},{}", number, csv_position(pores, chamber.peaks[0]), csv_number(peak),
-                       of_gate(csv_number), of_gate([&](const QuadraticNumber& gate) {
-                         return fmt::format("{}", nearest_difference(peak, gate));
-                       }),
-                       chamber.exit ? csv_number(pores.value(*chamber.exit)) : "", chamber.windows.size(),
-                       chamber.handles.size(), chamber.peaks.size());
+    std::string gate, exit, limiting;
+    if (!chamber.gates.empty()) gate = csv_number(pores.value(chamber.gates[0]));
+    if (chamber.exit) {
+      exit = csv_number(pores.value(*chamber.exit));
+      limiting = io::csv_number(nearest_twice(pores.value(*chamber.exit)));
+    }
+    out << fmt::format("{},{},{},{},{},{},{},{},{},{},{}", number, csv_position(pores, chamber.peaks[0]),
+                       csv_number(peak), gate, io::csv_number(nearest_depth(pores, chamber)), exit,
+                       io::csv_number(nearest_twice(peak)), limiting, chamber.windows.size(), chamber.handles.size(),
+                       chamber.peaks.size());
     if (what.probe) out << ',' << status_text(pores.status(chamber, *what.probe));
-    out << '\n';
+    out << ',' << csv_atoms(what, chamber.peaks) << ',' << csv_atoms(what, chamber.gates) << '\n';
   }
 }
 
 void write_windows_csv(std::ostream& out, const PoresToWrite& what) {
   const geometry::IeeeDoubles ieee;
   const Pores& pores = what.pores;
-  out << "chamber,window,x,y,z,value,rooms,atoms\n";
+  out << "chamber,window,x,y,z,value,diameter,rooms,atoms" << (what.atoms == nullptr ? "\n" : ",names\n");
   for (std::size_t number = 0; number < pores.chambers().size(); ++number) {
     for (const std::uint32_t place : pores.chambers()[number].windows) {
       const PoreWindow& window = pores.windows()[place];
-      std::string rooms, atoms;
+      const QuadraticNumber value = pores.value(window.point);
+      std::string rooms;
       for (const std::uint32_t room : window.rooms) {
         rooms += (rooms.empty() ? "" : ";") + (room == Pores::kOutside ? std::string("-1") : std::to_string(room));
       }
-      for (const std::uint32_t id : pores.points()[window.point].contacts) {
-        atoms += (atoms.empty() ? "" : ";") + std::to_string(id);
-      }
-      out << fmt::format("{},{},{},{},{},{}\n", number, place, csv_position(pores, window.point),
-                         csv_number(pores.value(window.point)), rooms, atoms);
+      out << fmt::format("{},{},{},{},{},{},{}\n", number, place, csv_position(pores, window.point), csv_number(value),
+                         io::csv_number(nearest_twice(value)), rooms, csv_atoms(what, {&window.point, 1}));
     }
   }
 }

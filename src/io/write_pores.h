@@ -4,8 +4,10 @@
 // what is asked for alone.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <ostream>
+#include <string>
 
 #include "flowcert/atom_names.h"
 #include "flowcert/ball_cavities.h"
@@ -18,11 +20,20 @@ struct PoresToWrite {
   Rational depth;
   std::optional<Rational> probe;
   const AtomNames* atoms = nullptr;  // of a molecule
+  std::string radii{};               // as a user says them; empty where they are numbers of a program
 };
+
+// The numbers of the chambers with the greatest peak and the greatest exit, the first ones at a tie. Twice these values
+// are the diameters of FC-BALL-10; nothing where there is none.
+struct WidestChambers {
+  std::optional<std::size_t> of_peak, of_exit;
+};
+[[nodiscard]] WidestChambers widest_chambers(const Pores& pores);
 
 // One JSON object, chamber by chamber.
 void write_pores(std::ostream& out, const PoresToWrite& what);
-// A table in CSV with a line of names, a row for each chamber. Numbers are the nearest doubles.
+// A table in CSV with a line of names, a row for each chamber. Numbers are the nearest doubles. Of several peak points,
+// or gates, the first one has the position, and all have the atoms.
 void write_pores_csv(std::ostream& out, const PoresToWrite& what);
 // The same of all windows of chambers, a row for each chamber and each of its windows.
 void write_windows_csv(std::ostream& out, const PoresToWrite& what);

@@ -156,6 +156,7 @@ TEST(HostileText, IsHarmlessInNamesOfFilesAndPrograms) {
                               {"persistence", claim},
                               {"medial", input},
                               {"pockets", input},
+                              {"pores", input, "--radii", "1/4"},
                               {"explain", input, "--ids", "0"}};
     for (const Words& command : commands) expect_harmless(flowcert(command), testing::PrintToString(command));
     // A program takes a while to start, so few of the texts are names and answers of programs.

@@ -11,7 +11,7 @@ flowcert=$1
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
-touch scan.xyz scan.PLY mesh.off 'two words.obj' notes.pdf claim.jsonl shape.pers zipped.xyz.gz
+touch scan.xyz scan.PLY mesh.off 'two words.obj' notes.pdf claim.jsonl shape.pers curve.svg zipped.xyz.gz
 mkdir folder
 failures=0
 
@@ -79,6 +79,7 @@ expect scan.xyz persistence s
 expect claim.jsonl,folder,shape.pers check scan.xyz ''
 expect folder,shape.pers persistence scan.xyz -o ''
 expect folder compute scan.xyz --export ''
+expect curve.svg,folder pores scan.xyz --curve ''
 expect folder generate --vectors ''
 expect --help,--hex generate --vectors --h
 expect 'folder,merge,mesh.off,scan.xyz,two words.obj,zipped.xyz.gz' fuzz --replay scan.xyz ''
@@ -86,11 +87,11 @@ expect folder fuzz merge folder ''
 # The second argument of surface does not exist, so options are what is left.
 expect "$(options_in_help surface | paste -sd,)" surface scan.xyz ''
 
-# An option that speaks of a file or a folder is in the table of described_command.cpp, except commands and a mere name:
-# those have no file to complete.
+# An option that speaks of a file or a folder is in the table of described_command.cpp, except commands, a mere name and
+# radii: those have no file to complete.
 # The script for fish has each option with what it says on one line.
 forgotten=$("$flowcert" completion fish | grep -iE -- '-x -d .*(file|folder|director)' |
-  grep -vE -- '-l ([a-z-]*against|out-name) ' || true)
+  grep -vE -- '-l ([a-z-]*against|out-name|radii) ' || true)
 [ -z "$forgotten" ] || { echo "FAIL: no file is completed: $forgotten"; failures=$((failures + 1)); }
 
 [ "$failures" -eq 0 ] || exit 1

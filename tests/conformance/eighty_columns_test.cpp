@@ -108,6 +108,11 @@ TEST(EightyColumns, WhatCommandsPrint) {
     narrow_output({"orbit", input, "--from", "0,0,0"});
     narrow_output({"orbit", input, "--from", "1e299,-1234567.125,1/3"});
   }
+  const std::pair<std::string, std::string> balls[] = {{"few.xyz", random_rows(300)}, {"long.xyz", kLongNumbers}};
+  for (const auto& [name, rows] : balls) {
+    narrow_output({"pores", scratch.file(name, rows), "--radii", "1/4", "--depth", "0", "--probe", "1", "--curve",
+                   scratch.path("curve.svg")});
+  }
   narrow_output({"fuzz", "--families", "list"});
   narrow_output({"conformance", "--list"});
   narrow_output({"generate", "--level", "2", "--seed", "123456789012345678", "--cases", "100"});
