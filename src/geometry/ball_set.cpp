@@ -6,6 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "geometry/floating_point.h"
 #include "geometry/integer_grid.h"
 
 namespace flowcert {
@@ -19,6 +20,7 @@ constexpr double kReachShare = 0x1p-40;
 }  // namespace
 
 BallSet::BallSet(std::vector<Ball> balls) : balls_(std::move(balls)), tangent_(balls_.size()) {
+  const geometry::IeeeDoubles ieee;
   for (const Ball& ball : balls_) {
     if (ball.radius <= 0) throw std::invalid_argument("a radius is not positive: " + to_text(ball.radius));
   }

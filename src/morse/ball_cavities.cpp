@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "geometry/disjoint_sets.h"
+#include "geometry/floating_point.h"
 #include "morse/ball_level.h"
 #include "morse/ball_touching.h"
 #include "voronoi/ball_slice.h"
@@ -127,6 +128,7 @@ class Components {
 }  // namespace
 
 std::vector<BallCavity> ball_cavities(const BallSet& balls, const Rational& probe) {
+  const geometry::IeeeDoubles ieee;
   if (probe < 0) throw std::invalid_argument("a probe is not 0 or more: " + to_text(probe));
   return Components(balls, probe).run();
 }

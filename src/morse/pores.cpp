@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "geometry/disjoint_sets.h"
+#include "geometry/floating_point.h"
 #include "morse/ball_ascents.h"
 #include "morse/ball_critical_points.h"
 
@@ -372,6 +373,7 @@ class PoreSearch {
 };
 
 Pores::Pores(const BallSet& balls, const Rational& depth, unsigned threads) : balls_(&balls) {
+  const geometry::IeeeDoubles ieee;
   if (depth < 0) throw std::invalid_argument("a depth is not 0 or more: " + to_text(depth));
   PoreSearch(*this, depth, threads).run();
 }

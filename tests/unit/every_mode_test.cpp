@@ -20,10 +20,13 @@
 #include <vector>
 
 #include "certify/viewer_claim.h"
+#include "flowcert/ball_cavities.h"
 #include "flowcert/connections.h"
 #include "flowcert/loop_classes.h"
 #include "flowcert/loops.h"
+#include "flowcert/pores.h"
 #include "flowcert/profile.h"
+#include "flowcert/read_balls.h"
 #include "flowcert/reproducibility.h"
 #include "flowcert/stable_manifolds.h"
 #include "flowcert/write_persistence.h"
@@ -37,6 +40,7 @@
 #include "io/viewer_page.h"
 #include "io/write_cycles.h"
 #include "io/write_pockets.h"
+#include "io/write_pores.h"
 #include "morse/flow_locator.h"
 #include "morse/length_bound.h"
 #include "morse/stable_regions.h"
@@ -499,9 +503,83 @@ void add_pockets(Calls& calls, const Made& m) {
   calls.add("Pockets::passage", [&] { return m.pockets.passage(m.pockets[0], Rational(1) / 7); });
 }
 
+// A fifth of the distance of two rows is the radius of all balls, but for a larger and a hidden one.
+std::vector<Ball> balls_of(const Made& m) {
+  const Rational unit = abs(Rational(m.rows[1].z) - Rational(m.rows[0].z)) + Rational(m.rows[4].z) / 7;
+  std::vector<Ball> balls;
+  for (const Point& p : m.rows) balls.push_back({{Rational(p.x), Rational(p.y), Rational(p.z)}, unit / 5});
+  balls[2].radius = unit / 3;
+  balls.push_back({balls[2].centre, unit / 11});
+  return balls;
+}
+
+std::string pores_text(const Pores& pores) {
+  std::ostringstream out;
+  write_pores(out, {pores, 0, Rational(1) / 7});
+  return out.str();
+}
+
+void add_pores(Calls& calls, const Made& m) {
+  const std::vector<Ball> balls = balls_of(m);
+  calls.add(
+      "BallSet::BallSet", [=] { return BallSet(balls); },
+      [](const BallSet& made) { return result_text(made.visible()) + result_text(made.rounded(0)); });
+  const auto set = std::make_shared<BallSet>(balls);
+  const auto pores = std::make_shared<Pores>(*set, 0);
+  calls.add("Pores::Pores", [=] { return Pores(*set, 0, 2); }, pores_text);
+  for (std::uint32_t point = 0; point < pores->points().size(); ++point) {
+    const QuadraticNumber value = pores->value(point);
+    const auto text_of = [](const QuadraticNumber& number) {
+      return result_text(primitive_polynomial(number).coefficients);
+    };
+    calls.add("Pores::value", [=] { return pores->value(point); }, text_of);
+    calls.add(
+        "Pores::position", [=] { return pores->position(point); },
+        [=](const auto& made) { return text_of(made[0]) + text_of(made[1]) + text_of(made[2]); });
+    calls.add("nearest_or_infinity", [=] { return nearest_or_infinity(value); });
+    calls.add("nearest_difference", [=] { return nearest_difference(value, QuadraticNumber(Rational(1) / 3)); });
+    calls.add("QuadraticNumber::sign", [=] { return value.sign(); });
+  }
+  const Rational probe = balls[0].radius;
+  calls.add("Pores::cavities_at", [=] { return pores->cavities_at(probe); });
+  calls.add(
+      "Pores::cavity_steps", [=] { return pores->cavity_steps(); },
+      [](const auto& made) {
+        std::string text;
+        for (const CavityStep& step : made) text += result_text(step.point) + result_text(step.count);
+        return text;
+      });
+  for (const Chamber& chamber : pores->chambers()) {
+    calls.add("Pores::status", [=] { return pores->status(chamber, probe); });
+  }
+  calls.add(
+      "ball_cavities", [=] { return ball_cavities(*set, probe); },
+      [](const auto& made) {
+        std::string text;
+        for (const BallCavity& cavity : made) text += result_text(cavity.atoms);
+        return text;
+      });
+  const PoresToWrite what{*pores, Rational(0), probe};
+  calls.add_writer("write_pores", [=](std::ostream& out) { write_pores(out, what); });
+  calls.add_writer("write_pores_csv", [=](std::ostream& out) { write_pores_csv(out, what); });
+  calls.add_writer("write_windows_csv", [=](std::ostream& out) { write_windows_csv(out, what); });
+  calls.add_writer("write_cavity_curve_csv", [=](std::ostream& out) { write_cavity_curve_csv(out, *pores); });
+}
+
 void add_readers(Calls& calls, const Made& m, const std::string& path) {
   calls.add("read_points", [=] { return read_points(path); });
   calls.add("read_points_from", [] { return read_points_from(kDecimals, "points"); });
+  calls.add(
+      "AtomRadii::AtomRadii", [] { return AtomRadii("bondi,Fe=0x1.8p0,Mn=2.04"); },
+      [](const AtomRadii& made) { return result_text(*made.of_element("Fe")) + result_text(*made.of_element("Mn")); });
+  const auto balls_text = [](const BallFile& file) {
+    std::string text = result_text(file.file);
+    for (const Ball& ball : file.balls) text += result_text(ball.centre) + result_text(ball.radius);
+    return text;
+  };
+  calls.add("read_balls", [=] { return read_balls(path, {}, AtomRadii("0.1")); }, balls_text);
+  calls.add(
+      "read_balls_from", [] { return read_balls_from(kDecimals, "points", {}, AtomRadii("1e-320")); }, balls_text);
   const auto is_as_before = [&](const Claim& claim) { return result_text(check(m.points, claim, *m.truth)); };
   calls.add("read_claim_from", [&] { return read_claim_from(m.claim_text, "claim"); }, is_as_before);
   calls.add("read_claim", [=] { return read_claim(path + ".jsonl"); }, is_as_before);
@@ -719,7 +797,12 @@ const std::set<std::string> kWithoutDoubles = {
     "require_rows", "sentence_of", "ClipBox::low", "ClipBox::high", "is_exact_pair", "reproducibility", "made_by_text",
     "SurfaceSelection::is_empty", "PersistenceDiagram::complex",
     "PersistenceDiagram::pairs", "PersistenceDiagram::has_zero", "Probe::squared_radius", "pair_name_of",
-    "array_by_number",
+    "array_by_number", "AtomRadii::base", "AtomRadii::column", "AtomRadii::needs_elements", "AtomRadii::of_element",
+    "AtomRadii::one", "AtomRadii::source", "AtomRadii::text", "BallSet::are_doubles", "BallSet::rounded",
+    "BallSet::scale", "BallSet::scaled", "BallSet::size", "BallSet::tangent_inside", "BallSet::visible",
+    "Pores::balls", "Pores::cavities", "Pores::chambers", "Pores::points", "Pores::vestibules", "Pores::windows",
+    "QuadraticNumber::QuadraticNumber", "QuadraticNumber::is_rational", "primitive_polynomial", "roots_of",
+    "status_text",
     // clang-format on
 };
 
@@ -738,6 +821,7 @@ class EveryMode : public testing::TestWithParam<Input> {
     add_manifolds(calls_, *made_);
     add_limits_and_volumes(calls_, *made_);
     add_pockets(calls_, *made_);
+    add_pores(calls_, *made_);
     add_readers(calls_, *made_, path_);
     add_choices(calls_, *made_);
     add_writers(calls_, *made_, testing::TempDir());
