@@ -26,8 +26,8 @@ bool is_reached(const Ball& ball, const Touching& x) {
   return (x.s + ball.radius).sign() >= 0 && power(ball, x.position, x.s).sign() <= 0;
 }
 
-// The first common point of each set of at most four balls. If that of a subset is in the ball that the subset lacks, it
-// is also that of the whole set. If no subset's is, every ball is needed. Then the point touches all of them, inside
+// The first common point of each set of at most four balls. If that of a subset is in the ball that the subset lacks,
+// it is also that of the whole set. If no subset's is, every ball is needed. Then the point touches all of them, inside
 // of the centres' simplex.
 std::map<Places, Touching> first_common_points(const std::vector<Ball>& balls) {
   std::map<Places, Touching> points;

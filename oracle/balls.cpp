@@ -96,9 +96,9 @@ std::vector<Quadratic> EquallyFar::zeros() const {
   return roots(dot(velocity, velocity) - 1, dot(way, velocity) - radius, dot(way, way) - radius * radius);
 }
 
-// There is at most one. The largest |x - p| - r of these balls is a convex function of x. Where x is such a point, x - p
-// are the directions in which the terms grow, and they balance. So x is where the function is least, and that is one
-// point: the function does not stay the same on a segment, as no |x - p| does.
+// There is at most one. The largest |x - p| - r of these balls is a convex function of x. Where x is such a point,
+// x - p are the directions in which the terms grow, and they balance. So x is where the function is least, and that is
+// one point: the function does not stay the same on a segment, as no |x - p| does.
 std::optional<Touching> touching_inside(const std::vector<Ball>& simplex) {
   const auto line = equally_far(simplex);
   if (!line) return std::nullopt;

@@ -1,5 +1,5 @@
-// What pores.cpp and pore_windows.cpp share: how leaves come together. Leaves are the points of index 3, by their places
-// in the list of points, and the outside, which has the list's length.
+// What pores.cpp and pore_windows.cpp share: how leaves come together. Leaves are the points of index 3, by their
+// places in the list of points, and the outside, which has the list's length.
 #pragma once
 
 #include "oracle/pores.h"
