@@ -42,10 +42,14 @@ TEST(QuadraticNumber, AgreesWithDoublesWhereTheyAreApart) {
     const QuadraticNumber x(small(), small(), std::abs(small())), y(small(), small(), std::abs(small()));
     const double near_x = x.a.convert_to<double>() + x.b.convert_to<double>() * std::sqrt(x.d.convert_to<double>());
     const double near_y = y.a.convert_to<double>() + y.b.convert_to<double>() * std::sqrt(y.d.convert_to<double>());
-    if (std::fabs(near_x - near_y) > 1e-9) EXPECT_EQ(x < y, near_x < near_y);
+    if (std::fabs(near_x - near_y) > 1e-9) {
+      EXPECT_EQ(x < y, near_x < near_y);
+    }
     EXPECT_NEAR(nearest_or_infinity(x), near_x, 1e-12);
     EXPECT_NEAR(nearest_difference(x, y), near_x - near_y, 1e-12);
-    if (y.sign() != 0 && x.d == y.d) EXPECT_EQ(x / y * y, x);
+    if (y.sign() != 0 && x.d == y.d) {
+      EXPECT_EQ(x / y * y, x);
+    }
   }
 }
 
