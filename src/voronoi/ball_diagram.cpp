@@ -139,9 +139,7 @@ void BallDiagram::triangulate() {
       [&](std::uint32_t id) {
         std::array<Kernel::FT, 4> site;
         for (std::size_t k = 0; k < 4; ++k) {
-          const Rational& number = balls_->scaled(id)[k];
-          CGAL::Gmpq exact(number.backend().data());
-          site[k] = Kernel::FT(typename Kernel::FT::ET(exact.mpq()));
+          site[k] = Kernel::FT(Kernel::FT::ET(balls_->scaled(id)[k].backend().data()));
         }
         return Regular<Kernel>::Weighted_point(Kernel::Point_d(4, site.begin(), site.end()),
                                                Kernel::FT(2) * site[3] * site[3]);
