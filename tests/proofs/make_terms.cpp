@@ -155,26 +155,20 @@ struct Constant {
 };
 #define CONSTANT(name) \
   Constant { #name, static_cast<double>(name) }
-constexpr Constant kConstants[] = {CONSTANT(kUnitRoundoff),       CONSTANT(kSmallestNorm),
-                                   CONSTANT(kLargestNorm),        CONSTANT(kAngleBound),
-                                   CONSTANT(kOrientationBound),   CONSTANT(kSideOfPlaneBound),
-                                   CONSTANT(kOutsideSphereBound), CONSTANT(kOutsideCircleBound),
-                                   CONSTANT(kCellAngleBound),     CONSTANT(kCellSideBound),
-                                   CONSTANT(kFarCellSideBound),   CONSTANT(kExactReach),
-                                   CONSTANT(kDistanceBound),      CONSTANT(kPositionBound),
-                                   CONSTANT(kDistanceUnderflow),  CONSTANT(kLargestDistance),
-                                   CONSTANT(kWideBits),           CONSTANT(kNarrowBits),
-                                   CONSTANT(kSmallBits),          CONSTANT(kVertexStartBound),
-                                   CONSTANT(kCircleStartBound),   CONSTANT(kSideStartBound),
-                                   CONSTANT(kGivenStartBound),    CONSTANT(kCrossingBound),
-                                   CONSTANT(kAngleFormBound),     CONSTANT(kHeightBound),
-                                   CONSTANT(kExitBound),          CONSTANT(kOrderBound),
-                                   CONSTANT(kNormalBound),        CONSTANT(kAreaBound),
-                                   CONSTANT(kSmallestSquare),     CONSTANT(kLargestSquare),
-                                   CONSTANT(kLargestError),       CONSTANT(kTangentOfSine),
-                                   CONSTANT(kTangentBehind),      CONSTANT(kOrderTurn),
-                                   CONSTANT(kCrossingSlack),      CONSTANT(kCoordinateBound),
-                                   {"kDoubledRoundoff", DoubleDouble::kRoundoff}};
+constexpr Constant kConstants[] = {
+    CONSTANT(kUnitRoundoff),       CONSTANT(kSmallestNorm),       CONSTANT(kLargestNorm),
+    CONSTANT(kAngleBound),         CONSTANT(kOrientationBound),   CONSTANT(kSideOfPlaneBound),
+    CONSTANT(kOutsideSphereBound), CONSTANT(kOutsideCircleBound), CONSTANT(kCellAngleBound),
+    CONSTANT(kCellSideBound),      CONSTANT(kFarCellSideBound),   CONSTANT(kExactReach),
+    CONSTANT(kDistanceBound),      CONSTANT(kPositionBound),      CONSTANT(kDistanceUnderflow),
+    CONSTANT(kLargestDistance),    CONSTANT(kWideBits),           CONSTANT(kNarrowBits),
+    CONSTANT(kSmallBits),          CONSTANT(kVertexStartBound),   CONSTANT(kCircleStartBound),
+    CONSTANT(kSideStartBound),     CONSTANT(kGivenStartBound),    CONSTANT(kCrossingBound),
+    CONSTANT(kAngleFormBound),     CONSTANT(kHeightBound),        CONSTANT(kExitBound),
+    CONSTANT(kOrderBound),         CONSTANT(kNormalBound),        CONSTANT(kAreaBound),
+    CONSTANT(kSmallestSquare),     CONSTANT(kLargestSquare),      CONSTANT(kLargestError),
+    CONSTANT(kTangentOfSine),      CONSTANT(kTangentBehind),      CONSTANT(kOrderTurn),
+    CONSTANT(kCrossingSlack),      CONSTANT(kCoordinateBound),    {"kDoubledRoundoff", DoubleDouble::kRoundoff}};
 #undef CONSTANT
 
 void write(const std::filesystem::path& path, const std::string& text) {
