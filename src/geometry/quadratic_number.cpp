@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/floating_point.h"
+
 namespace flowcert {
 
 namespace {
@@ -123,6 +125,7 @@ double nearest_or_infinity(const QuadraticNumber& x) { return nearest_difference
 
 // Of two doubles that follow each other the number is nearest to one, or is in the middle.
 double nearest_difference(const QuadraticNumber& x, const QuadraticNumber& y) {
+  const geometry::IeeeDoubles ieee;
   constexpr unsigned kLastDigits = 1024;
   for (unsigned digits = kFirstDigits;; digits *= 2) {
     const auto [x_low, x_high] = enclosure(x, digits);
