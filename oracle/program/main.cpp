@@ -359,7 +359,7 @@ int run(int argc, char** argv) {
   rooms.add_option("BALLS", input, "Lines x y z r: decimals or fractions p/q (exact)")->required();
   rooms.add_option("--depth", depth, "List the chambers of this depth or deeper")->capture_default_str();
   rooms.add_option("--limit", ball_limit, "Refuse inputs of more balls")->capture_default_str();
-  rooms.footer("Examples:\n  flowcert-oracle pores cage.balls --depth 1/2");
+  rooms.footer("Examples:\n  flowcert-oracle pores cage.balls\n  flowcert-oracle pores cage.balls --depth 1/2");
 
   if (argc <= 1) {
     std::cout << app.help();
