@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The core, src/geometry to src/morse, needs CGAL, GMP, MPFR and Boost alone.
+# The core, src/geometry to src/morse, needs CGAL with Eigen, GMP, MPFR and Boost alone.
 #
 # usage: core_alone_test.sh COMPILER
 #
