@@ -5,31 +5,15 @@
 #include <optional>
 
 #include "flowcert/sphere.h"
+#include "geometry/exact_root.h"
 
 namespace flowcert::geometry {
 
 namespace {
 
-using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+using Integer = BigInteger;
 
 constexpr unsigned kFirstDigits = 64;
-
-std::optional<Integer> exact_root(const Integer& square) {
-  const Integer root = sqrt(square);
-  return root * root == square ? std::optional(root) : std::nullopt;
-}
-
-std::optional<Rational> exact_root(const Rational& square) {
-  const auto top = exact_root(Integer(numerator(square)));
-  if (!top) return std::nullopt;
-  const auto bottom = exact_root(Integer(denominator(square)));
-  return bottom ? std::optional(Rational(*top, *bottom)) : std::nullopt;
-}
-
-// floor(sqrt(value) 2^digits)
-Integer scaled_root(const Rational& value, unsigned digits) {
-  return sqrt(Integer((Integer(numerator(value)) << (2 * digits)) / Integer(denominator(value))));
-}
 
 // The sign of sqrt(p) - sqrt(q) - k.
 int sign_of(const Rational& p, const Rational& q, const Rational& k) {

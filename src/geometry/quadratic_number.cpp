@@ -5,13 +5,15 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/exact_root.h"
 #include "geometry/floating_point.h"
 
 namespace flowcert {
 
 namespace {
 
-using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+using geometry::exact_root;
+using Integer = geometry::BigInteger;
 
 constexpr unsigned kFirstDigits = 64;
 
@@ -32,13 +34,6 @@ int sign_of_sum(const Rational& a, const Rational& b, const Rational& d, const R
   return one * sign_of_sum(a * a + b * b * d - c * c * e, 2 * a * b, d);
 }
 
-std::optional<Rational> exact_root(const Rational& square) {
-  const Integer top(numerator(square)), bottom(denominator(square));
-  const Integer top_root = sqrt(top), bottom_root = sqrt(bottom);
-  if (top_root * top_root != top || bottom_root * bottom_root != bottom) return std::nullopt;
-  return Rational(top_root, bottom_root);
-}
-
 // The number itself, where it is rational.
 std::optional<Rational> rational_value(const QuadraticNumber& x) {
   if (x.b == 0 || x.d == 0) return x.a;
@@ -49,9 +44,7 @@ std::optional<Rational> rational_value(const QuadraticNumber& x) {
 // Rationals that differ by 2^-digits at most.
 std::pair<Rational, Rational> enclosure(const QuadraticNumber& x, unsigned digits) {
   if (const std::optional<Rational> value = rational_value(x)) return {*value, *value};
-  const Rational square = x.b * x.b * x.d;
-  const Integer top(numerator(square)), bottom(denominator(square));
-  const Integer root = sqrt(Integer((top << (2 * digits)) / bottom)), unit = Integer(1) << digits;
+  const Integer root = geometry::scaled_root(x.b * x.b * x.d, digits), unit = Integer(1) << digits;
   const Rational low(root, unit), high(Integer(root + 1), unit);
   if (x.b > 0) return {x.a + low, x.a + high};
   return {x.a - high, x.a - low};

@@ -225,15 +225,10 @@ BallEnds BallAscents::stop(const BallEdge& edge, const BallLevel& level) {
 }
 
 std::uint32_t BallAscents::peak(const BallEdge& edge, const Ids& contacts, const BallLevel& level) const {
-  Ids all = contacts;
-  for (const std::uint32_t id : contacts) {
-    for (const std::uint32_t hidden : balls_.tangent_inside(id)) {
-      if (at(lead_of<Rational>(edge, hidden), level.exact(balls_)).sign() == 0) all.push_back(hidden);
-    }
-  }
-  std::ranges::sort(all);
-  all.erase(std::ranges::unique(all).begin(), all.end());
-  return peak_of_.at(all);
+  const auto is_as_near = [&](std::uint32_t id) {
+    return at(lead_of<Rational>(edge, id), level.exact(balls_)).sign() == 0;
+  };
+  return peak_of_.at(with_hidden(balls_, contacts, is_as_near));
 }
 
 // Of the facets beyond which the edge's point is, or in whose planes, those that it is farthest beyond.
@@ -395,15 +390,12 @@ std::optional<BallAscents::End> BallAscents::end_above(const BallEdge& edge) con
 // The first level above this one where the probe touches all four. At the level it does not touch them.
 std::optional<BallLevel> BallAscents::zero_above(const BallEdge& edge, const BallLevel& level) const {
   const Touching<BoundedDouble> near = touching_of<BoundedDouble>(edge);
-  const BoundedDouble discriminant = near.c1 * near.c1 - near.c2 * near.c0;
-  const int opening = near.c2.certain_sign(), sign = discriminant.certain_sign();
-  if (opening > 0 && sign < 0) return std::nullopt;
-  if (opening != 0 && sign > 0) {
-    // (-c1 - root) / c2, without the difference of two numbers of one sign. The other root is not above the level, or
-    // is not the first one.
-    const BoundedDouble root = sqrt(discriminant);
-    const BoundedDouble top = near.c1.value >= 0 ? -near.c1 - root : root - near.c1;
-    const BoundedDouble zero = near.c1.value >= 0 ? top / near.c2 : near.c0 / top;
+  const int opening = near.c2.certain_sign();
+  const auto [discriminant, roots_near] = bounded_roots(near);
+  if (opening > 0 && discriminant < 0) return std::nullopt;
+  if (roots_near) {
+    // (-c1 - root) / c2. The other root is not above the level, or is not the first one.
+    const BoundedDouble zero = (*roots_near)[0];
     const int order = (zero - level.near()).certain_sign();
     if (order > 0) return BallLevel(edge.balls, 4, 0, zero);
     if (order < 0 && opening > 0) return std::nullopt;

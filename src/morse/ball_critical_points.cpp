@@ -95,25 +95,17 @@ class Search {
     for (std::size_t k = 0; k < face.size(); ++k) corners[k] = number_ball<BoundedDouble>(balls_, face[k]);
     const auto made = touching<BoundedDouble>(std::span<const NumberBall<BoundedDouble>>(corners.data(), face.size()));
     if (!made) return see_exactly(face);
-    const BoundedDouble discriminant = made->c1 * made->c1 - made->c2 * made->c0;
-    const int sign = discriminant.certain_sign();
-    if (sign < 0) return;
-    if (sign == 0 || made->c2.certain_sign() == 0) return see_exactly(face);
-    // The root that is the sum of two numbers of one sign, and the other one by their product.
-    const BoundedDouble root = sqrt(discriminant);
-    const bool is_first = made->c1.value >= 0;
-    const BoundedDouble top = is_first ? -made->c1 - root : root - made->c1;
-    if (top.certain_sign() == 0) return see_exactly(face);
-    const std::array<BoundedDouble, 2> roots{is_first ? top / made->c2 : made->c0 / top,
-                                             is_first ? made->c0 / top : top / made->c2};
+    const auto [discriminant, roots] = bounded_roots(*made);
+    if (discriminant < 0) return;
+    if (!roots) return see_exactly(face);
     std::array<bool, 2> is_right{};
     for (std::size_t k = 0; k < 2; ++k) {
-      const int answer = is_critical(face, corners[0], *made, roots[k]);
+      const int answer = is_critical(face, corners[0], *made, (*roots)[k]);
       if (answer == 0) return see_exactly(face);
       is_right[k] = answer > 0;
     }
     for (std::size_t k = 0; k < 2; ++k) {
-      if (is_right[k]) add(face, Ids(face.begin(), face.end()), face.size() - 1, k, roots[k]);
+      if (is_right[k]) add(face, Ids(face.begin(), face.end()), face.size() - 1, k, (*roots)[k]);
     }
   }
 
@@ -129,14 +121,14 @@ class Search {
     BoundedDouble rest(1);
     for (std::size_t k = 0; k + 1 < face.size(); ++k) {
       const BoundedDouble weight = made.u[k] + made.v[k] * s;
-      if (!take(sign_or_nothing(weight))) return -1;
+      if (!take(weight.certain_sign())) return -1;
       rest = rest - weight;
     }
-    if (!take(sign_or_nothing(rest))) return -1;
+    if (!take(rest.certain_sign())) return -1;
     const Vector3<BoundedDouble> x = first.centre + made.a + s * made.b;
     for (const std::uint32_t id : diagram_.neighbours(least_connected(face))) {
       if (std::ranges::find(face, id) != face.end()) continue;
-      if (!take(sign_or_nothing(excess(x, s, number_ball<BoundedDouble>(balls_, id))))) return -1;
+      if (!take(excess(x, s, number_ball<BoundedDouble>(balls_, id)).certain_sign())) return -1;
     }
     if (answer == 0) return 0;
     // The ball with the fewest neighbours says whether another ball is nearer. One that is as near is a neighbour of
@@ -145,13 +137,11 @@ class Search {
       if (!balls_.tangent_inside(id).empty()) return 0;
       for (const std::uint32_t other : diagram_.neighbours(id)) {
         if (std::ranges::find(face, other) != face.end()) continue;
-        if (sign_or_nothing(excess(x, s, number_ball<BoundedDouble>(balls_, other))) <= 0) return 0;
+        if (excess(x, s, number_ball<BoundedDouble>(balls_, other)).certain_sign() <= 0) return 0;
       }
     }
     return answer;
   }
-  // As certain_sign(); a number without a bound is not certain.
-  static int sign_or_nothing(const BoundedDouble& x) { return x.certain_sign(); }
 
   // ---- Exactly ----
 
@@ -201,14 +191,7 @@ class Search {
         if (side(place, id) == 0) contacts.push_back(id);
       }
     }
-    for (std::size_t k = 0, count = contacts.size(); k < count; ++k) {
-      for (const std::uint32_t id : balls_.tangent_inside(contacts[k])) {
-        if (side(place, id) == 0) contacts.push_back(id);
-      }
-    }
-    std::ranges::sort(contacts);
-    contacts.erase(std::ranges::unique(contacts).begin(), contacts.end());
-    return contacts;
+    return with_hidden(balls_, contacts, [&](std::uint32_t id) { return side(place, id) == 0; });
   }
 
   // The index, if the point is in the relative interior of the contacts' hull. It is inside of the face. So it is, iff

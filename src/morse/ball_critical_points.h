@@ -4,6 +4,7 @@
 // Source: spec clauses FC-BALL-03 to FC-BALL-06.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -22,7 +23,22 @@ struct BallCriticalPoint {
   BallLevel value;
 };
 
-// They come in the order of their carriers, whatever the number of threads. O(faces of the diagram), and what exact numbers take at ties.
+// The visible contacts of a point, and the hidden balls that are as near, ascending.
+template <class IsAsNear>
+[[nodiscard]] std::vector<std::uint32_t> with_hidden(const BallSet& balls, std::vector<std::uint32_t> contacts,
+                                                     const IsAsNear& is_as_near) {
+  for (std::size_t k = 0, count = contacts.size(); k < count; ++k) {
+    for (const std::uint32_t id : balls.tangent_inside(contacts[k])) {
+      if (is_as_near(id)) contacts.push_back(id);
+    }
+  }
+  std::ranges::sort(contacts);
+  contacts.erase(std::ranges::unique(contacts).begin(), contacts.end());
+  return contacts;
+}
+
+// They come in the order of their carriers, whatever the number of threads. O(faces of the diagram), and what exact
+// numbers take at ties.
 [[nodiscard]] std::vector<BallCriticalPoint> ball_critical_points(const BallDiagram& diagram, unsigned threads = 1);
 
 }  // namespace flowcert::morse

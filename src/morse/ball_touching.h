@@ -117,6 +117,25 @@ template <class Number>
   return made;
 }
 
+// Where the power is 0, in the order of roots_of(): nothing unless there are certainly two such places. One is the sum
+// of two numbers of one sign, and the other one comes by the product of both.
+struct BoundedRoots {
+  int discriminant = 0;  // its sign where that is certain
+  std::optional<std::array<BoundedDouble, 2>> both;
+};
+[[nodiscard]] inline BoundedRoots bounded_roots(const Touching<BoundedDouble>& made) {
+  const BoundedDouble discriminant = made.c1 * made.c1 - made.c2 * made.c0;
+  BoundedRoots roots{discriminant.certain_sign(), std::nullopt};
+  if (roots.discriminant <= 0 || made.c2.certain_sign() == 0) return roots;
+  const BoundedDouble root = sqrt(discriminant);
+  const bool is_first = made.c1.value >= 0;
+  const BoundedDouble top = is_first ? -made.c1 - root : root - made.c1;
+  if (top.certain_sign() == 0) return roots;
+  const BoundedDouble by_sum = top / made.c2, by_product = made.c0 / top;
+  roots.both = is_first ? std::array{by_sum, by_product} : std::array{by_product, by_sum};
+  return roots;
+}
+
 template <class Number>
 [[nodiscard]] std::optional<Touching<Number>> touching(const BallSet& balls, std::span<const std::uint32_t> ids) {
   std::array<NumberBall<Number>, 4> some;
