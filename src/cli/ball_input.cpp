@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "cli/progress.h"
-#include "io/number_text.h"
 
 namespace flowcert::cli {
 
@@ -15,8 +14,7 @@ std::string BallInput::title() const { return fmt::format("{} ({})", name, file.
 BallInput read_ball_input(const BallOptions& options) {
   const AtomRadii radii(options.radii);
   BallFile file = [&] {
-    const bool is_piped = options.input == kStandardStream;
-    const ProgressLine progress(is_piped ? "reading standard input" : "reading atoms", is_piped ? STDIN_FILENO : -1);
+    const ProgressLine progress = reading_line(options.input, "atoms");
     return read_balls(options.input, options.reading, radii);
   }();
   tell_of_reading(options.input, file.file);
@@ -36,12 +34,6 @@ void add_radii_options(CLI::App& command, BallOptions& options, bool is_needed) 
   CLI::Option* finite = command.add_flag("--finite", options.reading.finite,
                                          "Take the atoms of a periodic cell for a finite set, without their copies");
   if (!is_needed) finite->needs(radii);
-}
-
-Rational length_of_option(const std::string& text, const char* option) {
-  const Rational length = io::claimed_number(text, io::PlainInteger::kExact, {option, 1}).value;
-  if (length < 0) throw InvalidInput(fmt::format("{}: not 0 or more: {}", option, text));
-  return length;
 }
 
 }  // namespace flowcert::cli

@@ -23,7 +23,7 @@ struct BallInput {
 
   // "cage.xyz (chemical XYZ)"
   [[nodiscard]] std::string title() const;
-  // Of a molecule; null otherwise.
+  // The names of a molecule's atoms; null where it is none.
   [[nodiscard]] const AtomNames* atoms() const { return file.file.atoms.empty() ? nullptr : &file.file.atoms; }
 };
 
@@ -32,8 +32,5 @@ struct BallInput {
 
 // The options --radii and --finite. `is_needed`: the command has no meaning without radii.
 void add_radii_options(CLI::App& command, BallOptions& options, bool is_needed);
-
-// An exact length of 0 or more that an option has.
-[[nodiscard]] Rational length_of_option(const std::string& text, const char* option);
 
 }  // namespace flowcert::cli

@@ -19,13 +19,8 @@ struct Step {
   double count;
 };
 
-std::string ticks_of(const std::vector<double>& ticks, double top, double widest) {
+std::string labels_of_probes(double widest) {
   std::string drawn;
-  for (const double tick : ticks) {
-    const double y = kPlotBottom - (kPlotBottom - kPlotTop) * tick / top;
-    drawn += line_from(kPlotLeft, y, kPlotRight, y, "#dddddd");
-    drawn += text_at(kPlotLeft - 8, y + 4, "end", with_commas(static_cast<unsigned long long>(tick)));
-  }
   constexpr int kLabels = 6;
   for (int k = 0; k <= kLabels; ++k) {
     const double x = kPlotLeft + (kPlotRight - kPlotLeft) * k / kLabels;
@@ -57,7 +52,7 @@ std::string cavity_curve_svg(const Pores& pores, const std::string& source) {
   path += fmt::format("V{:.2f}", kPlotBottom);
   const std::string curve =
       fmt::format("<path d=\"{}\" fill=\"#4477aa\" fill-opacity=\"0.25\" stroke=\"#4477aa\"/>\n", path);
-  return svg_plot("Cavities for each probe", source, ticks_of(ticks, ticks.back(), widest) + curve,
+  return svg_plot("Cavities for each probe", source, lines_of_counts(ticks, height) + labels_of_probes(widest) + curve,
                   "radius of the probe");
 }
 

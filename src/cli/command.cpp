@@ -93,6 +93,17 @@ void add_input_options(CLI::App& command, InputOptions& options, const std::stri
   add_options_of_molecules(command, reading);
 }
 
+Rational length_of_option(const std::string& text, const char* option) {
+  const Rational length = io::claimed_number(text, io::PlainInteger::kExact, {option, 1}).value;
+  if (length < 0) throw InvalidInput(fmt::format("{}: not 0 or more: {}", option, text));
+  return length;
+}
+
+ProgressLine reading_line(const std::string& path, const std::string& what) {
+  const bool is_piped = path == kStandardStream;
+  return ProgressLine(is_piped ? "reading standard input" : "reading " + what, is_piped ? STDIN_FILENO : -1);
+}
+
 void tell_of_reading(const std::string& path, const PointFile& file) {
   for (const ReadingNote& note : file.notes) {
     const std::string line = note.line > 0 ? fmt::format(":{}", note.line) : "";
@@ -106,8 +117,7 @@ void tell_of_reading(const std::string& path, const PointFile& file) {
 
 PointFile read_points_aloud(const std::string& path, const ReadingOptions& reading) {
   PointFile file = [&] {
-    const bool is_piped = path == kStandardStream;
-    const ProgressLine progress(is_piped ? "reading standard input" : "reading points", is_piped ? STDIN_FILENO : -1);
+    const ProgressLine progress = reading_line(path, "points");
     return read_points(path, reading);
   }();
   tell_of_reading(path, file);

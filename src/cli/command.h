@@ -20,6 +20,8 @@ class Option;
 
 namespace flowcert::cli {
 
+class ProgressLine;
+
 inline constexpr int kRight = 0;
 inline constexpr int kNegativeVerdict = 1;
 inline constexpr int kUnusable = 2;
@@ -52,6 +54,11 @@ void add_surface_command(CLI::App& app);
 // In a program that was built without FLOWCERT_JUDGE, a name only.
 void add_view_command(CLI::App& app, int& status);
 
+// An exact length of 0 or more that an option has. Throws InvalidInput.
+[[nodiscard]] Rational length_of_option(const std::string& text, const char* option);
+
+// What is shown while a file of `what` is read.
+[[nodiscard]] ProgressLine reading_line(const std::string& path, const std::string& what);
 // Says on standard error what a user should know of a file: the reader's notes, and rows that are left out.
 void tell_of_reading(const std::string& path, const PointFile& file);
 // Reads the file, and says that.

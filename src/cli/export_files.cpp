@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <filesystem>
+#include <iostream>
 #include <system_error>
 #include <utility>
 
@@ -52,6 +53,19 @@ void write_export(const std::string& directory, const std::string& name, const F
   const ProgressLine progress("writing " + name);
   io::write_whole_file((fs::path(directory) / name).string(),
                        [&](std::ostream& out) { write(out, made_by_text("flowcert-export", 1, complex.points())); });
+}
+
+bool write_table(const std::string& path, const std::function<void(std::ostream& out)>& write) {
+  if (path == kStandardStream) {
+    write(std::cout);
+    std::cout.flush();
+    return true;
+  }
+  if (!path.empty()) {
+    const ProgressLine progress("writing " + fs::path(path).filename().string());
+    io::write_whole_file(path, write);
+  }
+  return false;
 }
 
 ExportFiles::ExportFiles(ExportChoice choice, std::string input_name)

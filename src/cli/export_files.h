@@ -37,6 +37,9 @@ using WriteExport = std::function<void(std::ostream& out, const std::string& mad
 void write_export(const std::string& directory, const std::string& name, const FlowComplex& complex,
                   const WriteExport& write);
 
+// Writes a table to a file, or to standard output for "-". Returns whether it went there. An empty path writes nothing.
+bool write_table(const std::string& path, const std::function<void(std::ostream& out)>& write);
+
 class ExportFiles {
  public:
   // input_name is for messages. Throws OutputError if the directory exists and is none.

@@ -61,13 +61,8 @@ std::string bars_of(const Histogram& histogram, const CountAxis& axis) {
 
 std::string histogram_svg(const Histogram& histogram, const std::string& source) {
   const CountAxis axis = count_axis(histogram);
-  std::string drawn;
-  for (const double tick : axis.ticks) {
-    const double y = axis.at(tick);
-    drawn += line_from(kPlotLeft, y, kPlotRight, y, "#dddddd");
-    drawn += text_at(kPlotLeft - 8, y + 4, "end", with_commas(static_cast<unsigned long long>(tick)));
-  }
-  drawn += bars_of(histogram, axis);
+  const std::string drawn =
+      lines_of_counts(axis.ticks, [&](double tick) { return axis.at(tick); }) + bars_of(histogram, axis);
   const std::string scale = histogram.is_logarithmic ? "; the counts are on a logarithmic axis" : "";
   return svg_plot(histogram.title, source, drawn, histogram.value + ", from" + scale);
 }

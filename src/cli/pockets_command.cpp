@@ -43,9 +43,7 @@ struct PocketsOptions : InputOptions {
 
 std::optional<Probe> probe_of(const std::string& text) {
   if (text.empty()) return std::nullopt;
-  const Rational radius = io::claimed_number(text, io::PlainInteger::kExact, {"--probe", 1}).value;
-  if (radius < 0) throw InvalidInput("--probe: not 0 or more: " + text);
-  return Probe{radius};
+  return Probe{length_of_option(text, "--probe")};
 }
 
 struct PocketsRun {
@@ -102,21 +100,6 @@ void write_files(const PocketsOptions& options, const PocketsRun& run, const Poc
   write_trees(TreeKind::kComponents, "components");
 }
 
-// Whether it went to standard output.
-bool write_csv(const std::string& path, const PocketsToWrite& what,
-               void (*write)(std::ostream&, const PocketsToWrite&)) {
-  if (path == kStandardStream) {
-    write(std::cout, what);
-    std::cout.flush();
-    return true;
-  }
-  if (!path.empty()) {
-    const ProgressLine progress("writing " + std::filesystem::path(path).filename().string());
-    io::write_whole_file(path, [&](std::ostream& out) { write(out, what); });
-  }
-  return false;
-}
-
 // ---- The command ----
 
 void print_tree(const PocketsOptions& options, const Input& input) {
@@ -147,8 +130,9 @@ void run_pockets(const PocketsOptions& options) {
   if (!options.directory.empty()) {
     naming(input.name, [&] { write_files(options, run, what); });
   }
-  const bool is_rows_printed = write_csv(options.csv, what, write_pocket_csv);
-  const bool is_lining_printed = write_csv(options.atoms_csv, what, write_lining_csv);
+  const bool is_rows_printed = write_table(options.csv, [&](std::ostream& out) { write_pocket_csv(out, what); });
+  const bool is_lining_printed =
+      write_table(options.atoms_csv, [&](std::ostream& out) { write_lining_csv(out, what); });
   if (options.json) {
     ProgressLine progress("writing pockets", STDOUT_FILENO);
     write_pockets(std::cout, what);

@@ -13,6 +13,7 @@
 #include "cli/ball_input.h"
 #include "cli/cavity_curve_svg.h"
 #include "cli/command.h"
+#include "cli/export_files.h"
 #include "cli/layer.h"
 #include "cli/pores_report.h"
 #include "cli/progress.h"
@@ -27,17 +28,6 @@ struct PoresOptions : BallOptions {
   std::string csv, windows_csv, curve;
   bool json = false, all = false;
 };
-
-// A table goes to standard output for "-". Whether it did.
-bool write_table(const std::string& path, const auto& write) {
-  if (path == kStandardStream) {
-    write(std::cout);
-    std::cout.flush();
-    return true;
-  }
-  if (!path.empty()) io::write_whole_file(path, write);
-  return false;
-}
 
 void write_curve(const std::string& path, const Pores& pores, const std::string& source) {
   io::write_whole_file(path, [&](std::ostream& out) {

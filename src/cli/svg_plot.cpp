@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/command.h"
 #include "cli/xml_text.h"
 
 namespace flowcert::cli {
@@ -24,6 +25,16 @@ std::vector<double> count_ticks(double largest) {
   std::vector<double> ticks = {0};
   while (ticks.back() < largest) ticks.push_back(ticks.back() + whole_step);
   return ticks;
+}
+
+std::string lines_of_counts(const std::vector<double>& ticks, const std::function<double(double)>& at) {
+  std::string drawn;
+  for (const double tick : ticks) {
+    const double y = at(tick);
+    drawn += line_from(kPlotLeft, y, kPlotRight, y, "#dddddd");
+    drawn += text_at(kPlotLeft - 8, y + 4, "end", with_commas(static_cast<unsigned long long>(tick)));
+  }
+  return drawn;
 }
 
 std::string svg_plot(const std::string& title, const std::string& source, const std::string& drawn,

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ inline constexpr double kPlotLeft = 90, kPlotRight = 700, kPlotTop = 60, kPlotBo
 // Ticks of an axis of counts: 2 to 5 of them, at multiples of 1, 2 or 5 times a power of ten, from 0 to the largest
 // count or above it.
 [[nodiscard]] std::vector<double> count_ticks(double largest);
+
+// A line across the plot for each tick, with its count; at(tick) is its height in pixels from above.
+[[nodiscard]] std::string lines_of_counts(const std::vector<double>& ticks, const std::function<double(double)>& at);
 
 // The document: title and source above, what is drawn, the axes, and what the lower axis has.
 [[nodiscard]] std::string svg_plot(const std::string& title, const std::string& source, const std::string& drawn,
