@@ -1,7 +1,8 @@
 // Exact geometry of a handful of points in R^3: circumcentres, affine hulls, faces of convex hulls.
 //
 // Everything here is computed in rational numbers, so every answer is the true one. Nothing is filtered, rounded or
-// compared up to a tolerance. All of it rests on one operation, the dual basis of at most three edges. The affine hull of the points may have any dimension, 0 to 3, and no position is excluded.
+// compared up to a tolerance. All of it rests on one operation, the dual basis of at most three edges. The affine hull of
+// the points may have any dimension, 0 to 3, and no position is excluded.
 #pragma once
 
 #include <array>

@@ -120,7 +120,7 @@ class Tree {
     cavities_.push_back({gates.empty() ? std::nullopt : std::optional(value(gates[0])), value(component.peaks[0])});
   }
 
-  // Of chambers that have come to the outside at this value.
+  // Chambers that have come to the outside at this value get their exit.
   void note_exits(std::size_t point) {
     for (Chamber& chamber : chambers_) {
       if (!chamber.exit && components_[chamber.peaks[0]] == components_[outside()]) chamber.exit = value(point);

@@ -23,13 +23,13 @@ struct Chamber {
   Places handles;                 // ascending
 };
 
-// Of FC-BALL-09: an unmarked room between others.
+// An unmarked room between others (FC-BALL-09).
 struct Vestibule {
   Places peaks;       // ascending
   Places neighbours;  // the rooms that were next to its cluster, ascending
 };
 
-// Of FC-BALL-09: an index-2 point that stays between different rooms.
+// An index-2 point that stays between different rooms (FC-BALL-09).
 struct Window {
   std::size_t point = 0;
   Places rooms;  // two at least, ascending

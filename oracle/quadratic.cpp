@@ -15,7 +15,7 @@ namespace {
 
 int sign_of(const Rational& x) { return x.sign(); }
 
-// Of a + b sqrt(d).
+// The sign of a + b sqrt(d).
 int sign_of_sum(const Rational& a, const Rational& b, const Rational& d) {
   const int left = sign_of(a), right = d == 0 ? 0 : sign_of(b);
   if (left * right >= 0) return left != 0 ? left : right;

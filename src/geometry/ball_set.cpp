@@ -54,7 +54,7 @@ void BallSet::scale_all() {
   }
 }
 
-// Of the distance of the centres, and the outer radius less the inner one, which is not negative.
+// Compares the distance of the centres with the outer radius less the inner one, which is not negative.
 int BallSet::compare_reach(std::uint32_t inner, std::uint32_t outer) const {
   Rational square = 0;
   for (std::size_t k = 0; k < 3; ++k) {
