@@ -49,7 +49,7 @@ Level at(const std::pair<Number, Number>& linear, const Level& s) {
 }  // namespace
 
 BallAscents::BallAscents(const BallDiagram& diagram, const std::vector<BallCriticalPoint>& points)
-    : diagram_(diagram), balls_(diagram.balls()), seen_(balls_.size(), 0) {
+    : diagram_(diagram), balls_(diagram.balls()), simple_(diagram.cells().size()), seen_(balls_.size()) {
   for (std::uint32_t number = 0; number < points.size(); ++number) {
     if (points[number].index == 3) peak_of_.emplace(points[number].contacts, number);
   }
@@ -93,12 +93,16 @@ std::array<BallEnds, 2> BallAscents::ends(const BallCriticalPoint& point) {
     const Vector3<Rational> n = plane_of<Rational>(balls_, corners).normal;
     if (n.x != 0 || n.y != 0 || n.z != 0) break;
   }
-  return {slide(corners, plane, plane, point.value),
-          slide({corners[0], corners[2], corners[1]}, plane, plane, point.value)};
+  const std::uint32_t cell = plane.size() == 3 ? cell_with(corners) : BallDiagram::kNone;
+  return {slide(corners, plane, plane, point.value, cell),
+          slide({corners[0], corners[2], corners[1]}, plane, plane, point.value, cell)};
 }
 
-// Along the edge of the power diagram that is orthogonal to the plane, to the next vertex of it.
-BallEnds BallAscents::slide(const Three& facet, Ids plane, const Ids& contacts, const BallLevel& level) {
+// Along the edge of the power diagram that is orthogonal to the plane, to the next vertex of it. If the plane has three
+// contacts alone, `cell` is a cell with them, or kNone.
+BallEnds BallAscents::slide(const Three& facet, Ids plane, const Ids& contacts, const BallLevel& level,
+                            std::uint32_t cell) {
+  if (const auto edge = edge_ahead(facet, level, cell)) return follow(*edge, level);
   const Ids nearest = first_hit(facet, contacts, level);
   if (nearest.empty()) return {kOutside};
   plane.insert(plane.end(), nearest.begin(), nearest.end());
@@ -111,6 +115,77 @@ BallEnds BallAscents::slide(const Three& facet, Ids plane, const Ids& contacts, 
   }
   std::ranges::sort(plane);
   return rise(plane, level);
+}
+
+std::uint32_t BallAscents::cell_with(const Three& facet) const {
+  const auto has_all = [&](std::uint32_t cell) {
+    const BallDiagram::Corners& corners = diagram_.cells()[cell];
+    return std::ranges::all_of(facet,
+                               [&](std::uint32_t id) { return std::ranges::find(corners, id) != corners.end(); });
+  };
+  const auto star = diagram_.star(facet[0]);
+  const auto found = std::ranges::find_if(star, has_all);
+  return found == star.end() ? BallDiagram::kNone : *found;
+}
+
+// The edge of the diagram that the way along the facet's normal comes to, where doubles tell it, and that it has no
+// other contacts there. Among the first balls that are as near is one that has a cell with the facet's balls: these
+// cells are a ring, or a part of one.
+std::optional<BallEdge> BallAscents::edge_ahead(const Three& facet, const BallLevel& level, std::uint32_t cell) {
+  if (cell == BallDiagram::kNone || diagram_.dimension() < 4) return std::nullopt;
+  const auto near = touching<BoundedDouble>(balls_, std::span<const std::uint32_t>(facet));
+  if (!near) return std::nullopt;
+  const Plane<BoundedDouble> plane = plane_of<BoundedDouble>(balls_, facet);
+  const NumberBall<BoundedDouble> first = number_ball<BoundedDouble>(balls_, facet[0]);
+  BoundedDouble best_ahead, best_above;
+  std::uint32_t nearest = BallDiagram::kNone;
+  std::optional<std::pair<std::uint32_t, std::size_t>> best;  // the cell, and its corner that is not of the edge
+  bool is_certain = true;
+  // Takes the corner k of a cell, where `other` is the second one beside the facet.
+  const auto see = [&](std::uint32_t at_cell, std::size_t k, std::size_t other) {
+    const std::uint32_t id = diagram_.cells()[at_cell][k];
+    if (id == nearest) return;
+    const BoundedDouble above = height(balls_, plane, id);
+    const int side = above.certain_sign();
+    if (side == 0) is_certain = false;
+    if (side <= 0) return;
+    const BoundedDouble ahead = at(lead(*near, first, number_ball<BoundedDouble>(balls_, id)), level.near());
+    const int order = best ? (ahead * best_above - best_ahead * above).certain_sign() : -1;
+    if (order == 0) is_certain = false;
+    if (order >= 0) return;
+    best = {at_cell, other};
+    nearest = id;
+    best_ahead = ahead;
+    best_above = above;
+  };
+  const auto others_of = [&](std::uint32_t at_cell) {
+    std::array<std::size_t, 2> others{};
+    for (std::size_t k = 0, place = 0; k < 5; ++k) {
+      if (std::ranges::find(facet, diagram_.cells()[at_cell][k]) == facet.end()) others[place++] = k;
+    }
+    return others;
+  };
+  const auto [one, two] = others_of(cell);
+  see(cell, one, two);
+  see(cell, two, one);
+  // Leaves each cell across the corner that it did not come across.
+  const auto walk = [&](std::size_t leaving, std::size_t staying) {
+    std::uint32_t at_cell = cell;
+    while (true) {
+      const std::uint32_t stays = diagram_.cells()[at_cell][staying];
+      at_cell = diagram_.adjacent()[at_cell][leaving];
+      if (at_cell == BallDiagram::kNone || at_cell == cell) return at_cell;
+      const auto [i, j] = others_of(at_cell);
+      leaving = diagram_.cells()[at_cell][i] == stays ? i : j;
+      staying = leaving == i ? j : i;
+      see(at_cell, staying, leaving);
+    }
+  };
+  if (walk(one, two) == BallDiagram::kNone) walk(two, one);
+  if (!best || !is_certain) return std::nullopt;
+  BallEdge edge = edge_of(best->first, best->second);
+  if (!edge.near || !has_four_contacts(edge, level)) return std::nullopt;
+  return edge;
 }
 
 // The balls that are as near first, on the ray from the plane along its normal; none where no ball ever is.
@@ -197,7 +272,7 @@ BallEnds BallAscents::follow(const BallEdge& edge, const BallLevel& level) {
   BallEnds ends;
   if (is_zero) {
     ends = stop(edge, *zero);
-  } else if (is_simple(end->cell, end->level)) {
+  } else if (is_simple(end->cell)) {
     ends = rise_from_cell(end->cell, end->level);
   } else {
     ends = rise(contacts_at(edge, end->level), end->level);
@@ -211,6 +286,7 @@ BallEnds BallAscents::stop(const BallEdge& edge, const BallLevel& level) {
   const Ids contacts = contacts_at(edge, level);
   const std::vector<Beyond> beyond = farthest(edge, hull(edge, contacts, level), level);
   if (beyond.empty()) return {peak(edge, contacts, level)};
+  const std::uint32_t cell = contacts.size() == 4 ? edge.cells[0] : BallDiagram::kNone;
   std::set<Ids> planes;
   BallEnds ends;
   for (const Beyond& one : beyond) {
@@ -219,7 +295,7 @@ BallEnds BallAscents::stop(const BallEdge& edge, const BallLevel& level) {
       const bool is_corner = std::ranges::find(one.facet, id) != one.facet.end();
       if (is_corner || (contacts.size() > 4 && side_of(balls_, one.facet, id) == 0)) plane.push_back(id);
     }
-    if (planes.insert(plane).second) merge(ends, slide(one.facet, plane, contacts, level));
+    if (planes.insert(plane).second) merge(ends, slide(one.facet, plane, contacts, level, cell));
   }
   return ends;
 }
@@ -351,19 +427,40 @@ bool BallAscents::reaches(const BallEdge& edge, const BallLevel& level, Side sid
   });
 }
 
-// Whether the cell's vertex has no other contacts than its five balls: then no cell behind it has the same vertex.
-bool BallAscents::is_simple(std::uint32_t cell, const BallLevel& level) const {
-  BallEdge edge = edge_of(cell, 0);
-  for (std::size_t k = 1; k < 5 && !edge.near; ++k) edge = edge_of(cell, k);
-  if (!edge.near) return false;
+// Whether the cell's vertex has no other contacts than its five balls, where doubles tell it: then no cell behind it has
+// the same vertex.
+bool BallAscents::is_simple(std::uint32_t cell) const {
+  std::int8_t& answer = simple_[cell];
+  if (answer != 0) return answer > 0;
+  answer = -1;
+  const BallDiagram::Corners& corners = diagram_.cells()[cell];
+  BallEdge edge;
+  BoundedDouble s(0, HUGE_VAL);
+  for (std::size_t k = 0; k < 5 && !(s.error < HUGE_VAL); ++k) {
+    edge = edge_of(cell, k);
+    const auto [first, second] = lead_of<BoundedDouble>(edge, corners[k]);
+    if (second.certain_sign() != 0) s = -first / second;
+  }
   for (const std::uint32_t other : diagram_.adjacent()[cell]) {
     if (other == BallDiagram::kNone) continue;
     for (const std::uint32_t id : diagram_.cells()[other]) {
-      if (std::ranges::find(diagram_.cells()[cell], id) != diagram_.cells()[cell].end()) continue;
-      if (at(lead_of<BoundedDouble>(edge, id), level.near()).certain_sign() <= 0) return false;
+      if (std::ranges::find(corners, id) != corners.end()) continue;
+      if (at(lead_of<BoundedDouble>(edge, id), s).certain_sign() <= 0) return false;
     }
   }
+  answer = 1;
   return true;
+}
+
+// Whether doubles tell that the four balls alone are contacts. Between its ends an edge has the same contacts
+// everywhere, and each end has these, too.
+bool BallAscents::has_four_contacts(const BallEdge& edge, const BallLevel& level) const {
+  const auto is_behind = [&](std::uint32_t id) {
+    return id == BallDiagram::kNone || at(lead_of<BoundedDouble>(edge, id), level.near()).certain_sign() > 0;
+  };
+  if (diagram_.dimension() < 4 || !std::ranges::all_of(edge.opposite, is_behind)) return false;
+  return std::ranges::any_of(edge.cells,
+                             [&](std::uint32_t cell) { return cell != BallDiagram::kNone && is_simple(cell); });
 }
 
 std::optional<BallAscents::End> BallAscents::end_above(const BallEdge& edge) const {
@@ -413,6 +510,7 @@ std::optional<BallLevel> BallAscents::zero_above(const BallEdge& edge, const Bal
 // The visible balls that are equally far, in power, as the edge's. They are neighbours of each other.
 Ids BallAscents::contacts_at(const BallEdge& edge, const BallLevel& level) const {
   Ids contacts(edge.balls.begin(), edge.balls.end());
+  if (has_four_contacts(edge, level)) return contacts;
   ++searches_;
   for (const std::uint32_t id : contacts) seen_[id] = searches_;
   for (std::size_t k = 0; k < contacts.size(); ++k) {

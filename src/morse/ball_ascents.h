@@ -52,19 +52,22 @@ class BallAscents {
   };
   enum class Side { kBelow, kAbove };
 
-  BallEnds slide(const Three& facet, Ids plane, const Ids& contacts, const BallLevel& level);
+  BallEnds slide(const Three& facet, Ids plane, const Ids& contacts, const BallLevel& level, std::uint32_t cell);
   BallEnds rise(const Ids& contacts, const BallLevel& level);
   BallEnds rise_from_cell(std::uint32_t cell, const BallLevel& level);
   BallEnds rise_along(const std::vector<BallEdge>& above, const BallLevel& level);
   BallEnds follow(const BallEdge& edge, const BallLevel& level);
   BallEnds stop(const BallEdge& edge, const BallLevel& level);
 
+  [[nodiscard]] std::uint32_t cell_with(const Three& facet) const;
+  [[nodiscard]] std::optional<BallEdge> edge_ahead(const Three& facet, const BallLevel& level, std::uint32_t cell);
   [[nodiscard]] Ids first_hit(const Three& facet, const Ids& contacts, const BallLevel& level) const;
   [[nodiscard]] BallEdge edge_of(std::uint32_t cell, std::size_t corner) const;
   [[nodiscard]] std::vector<BallEdge> edges_among(const Ids& contacts) const;
   [[nodiscard]] bool is_in_space(const BallEdge& edge) const;
   [[nodiscard]] bool reaches(const BallEdge& edge, const BallLevel& level, Side side) const;
-  [[nodiscard]] bool is_simple(std::uint32_t cell, const BallLevel& level) const;
+  [[nodiscard]] bool is_simple(std::uint32_t cell) const;
+  [[nodiscard]] bool has_four_contacts(const BallEdge& edge, const BallLevel& level) const;
   [[nodiscard]] std::optional<End> end_above(const BallEdge& edge) const;
   [[nodiscard]] std::optional<BallLevel> zero_above(const BallEdge& edge, const BallLevel& level) const;
   [[nodiscard]] Ids contacts_at(const BallEdge& edge, const BallLevel& level) const;
@@ -85,6 +88,7 @@ class BallAscents {
   const BallSet& balls_;
   std::map<Ids, std::uint32_t> peak_of_;
   std::map<std::pair<std::array<std::uint32_t, 4>, bool>, BallEnds> known_;  // by edge, and whether it ends in a zero
+  mutable std::vector<std::int8_t> simple_;  // by cell: 1 where is_simple(), -1 where not, 0 where nobody asked
   mutable std::vector<std::uint32_t> seen_;  // by ball: the number of the last search that saw it
   mutable std::uint32_t searches_ = 0;
 };

@@ -30,9 +30,57 @@ Number excess(const Vector3<Number>& x, const Number& s, const NumberBall<Number
   return dot(way, way) - reach * reach;
 }
 
+Touching<BoundedDouble> with_bounds(const Touching<SizedDouble>& made) {
+  const auto vector = [](const Vector3<SizedDouble>& v) {
+    return Vector3<BoundedDouble>{v.x.bounded(), v.y.bounded(), v.z.bounded()};
+  };
+  Touching<BoundedDouble> near{vector(made.a),    vector(made.b),   {}, {}, made.c2.bounded(),
+                               made.c1.bounded(), made.c0.bounded()};
+  for (std::size_t k = 0; k < 3; ++k) {
+    near.u[k] = made.u[k].bounded();
+    near.v[k] = made.v[k].bounded();
+  }
+  return near;
+}
+
+// Of coordinates, radii and what is near to them, an absolute error of this share is more than all roundings of
+// x - q and s + r: they are three of 2^-53 each.
+constexpr double kPlaceShare = 0x1p-51;
+// The squares of |w| and of s + r, and their sum, have four roundings.
+constexpr double kExcessShare = 0x1p-50;
+
+// A point at a distance from balls, in doubles: says of many balls whether they are nearer.
+class RoundedPlace {
+ public:
+  // No coordinate and no radius of a ball is greater than `greatest`.
+  RoundedPlace(const Vector3<BoundedDouble>& x, const BoundedDouble& s, double greatest)
+      : x_{x.x.value, x.y.value, x.z.value}, s_(s.value) {
+    const double far = greatest + std::fabs(s_) + greatest_coordinate({x_.x, x_.y, x_.z});
+    error_ = std::max({x.x.error, x.y.error, x.z.error, s.error}) + kPlaceShare * far;
+  }
+
+  // 1 or -1 where it is certain whether the ball is farther or nearer, and 0 where it is not. w and s + r, four numbers
+  // of the sum `size`, are wrong by `error_` each, and their squares by (2 size + 4 error_) error_ together.
+  [[nodiscard]] int side(const std::array<double, 4>& ball) const {
+    const Vector3<double> w{x_.x - ball[0], x_.y - ball[1], x_.z - ball[2]};
+    const double reach = s_ + ball[3];
+    const double size = std::fabs(w.x) + std::fabs(w.y) + std::fabs(w.z) + std::fabs(reach);
+    const double bound = 3 * error_ * (size + 2 * error_) + kExcessShare * size * size;
+    return BoundedDouble(dot(w, w) - reach * reach, bound).certain_sign();
+  }
+
+ private:
+  Vector3<double> x_;
+  double s_, error_;
+};
+
 class Search {
  public:
-  explicit Search(const BallDiagram& diagram) : diagram_(diagram), balls_(diagram.balls()) {}
+  explicit Search(const BallDiagram& diagram) : diagram_(diagram), balls_(diagram.balls()) {
+    for (const std::uint32_t id : balls_.visible()) {
+      for (const double number : balls_.rounded(id)) greatest_ = std::max(greatest_, std::fabs(number));
+    }
+  }
 
   // The points inside of faces of which these balls are the first.
   std::vector<BallCriticalPoint> run(std::span<const std::uint32_t> ids) {
@@ -45,39 +93,44 @@ class Search {
   }
 
  private:
+  // The other balls of a face, and a cell that has it, from the highest bits down.
+  using FaceKey = unsigned __int128;
+
   // The faces of which this ball is the first.
   template <std::size_t kOthers>
   void see_faces(std::uint32_t first) {
     if (diagram_.dimension() < 1) return;
-    std::vector<std::array<std::uint32_t, kOthers>> faces;
+    faces_.clear();
     const std::size_t corners = static_cast<std::size_t>(diagram_.dimension() + 1);
     for (const std::uint32_t number : diagram_.star(first)) {
       const BallDiagram::Corners& cell = diagram_.cells()[number];
       const std::size_t place = static_cast<std::size_t>(std::ranges::find(cell, first) - cell.begin());
-      add_subsets<kOthers>(cell, place + 1, corners, faces);
+      add_subsets<kOthers>(cell, place + 1, corners, number);
     }
-    std::ranges::sort(faces);
-    faces.erase(std::ranges::unique(faces).begin(), faces.end());
-    for (const auto& others : faces) {
-      std::array<std::uint32_t, kOthers + 1> face;
-      face[0] = first;
-      std::ranges::copy(others, face.begin() + 1);
-      see_face(face);
+    std::ranges::sort(faces_);
+    std::array<std::uint32_t, kOthers + 1> face{};
+    for (const FaceKey key : faces_) {
+      std::array<std::uint32_t, kOthers + 1> next;
+      next[0] = first;
+      for (std::size_t k = 1; k <= kOthers; ++k) next[k] = static_cast<std::uint32_t>(key >> 32 * (kOthers + 1 - k));
+      if (next == face) continue;
+      face = next;
+      see_face(face, diagram_.cells()[static_cast<std::uint32_t>(key)]);
     }
   }
 
   template <std::size_t kOthers>
-  static void add_subsets(const BallDiagram::Corners& cell, std::size_t from, std::size_t corners,
-                          std::vector<std::array<std::uint32_t, kOthers>>& faces) {
+  void add_subsets(const BallDiagram::Corners& cell, std::size_t from, std::size_t corners, FaceKey key) {
+    const auto with = [&](FaceKey before, std::size_t k) { return before << 32 | cell[k]; };
     for (std::size_t i = from; i < corners; ++i) {
       if constexpr (kOthers == 1) {
-        faces.push_back({cell[i]});
+        faces_.push_back(with(0, i) << 32 | key);
       } else {
         for (std::size_t j = i + 1; j < corners; ++j) {
           if constexpr (kOthers == 2) {
-            faces.push_back({cell[i], cell[j]});
+            faces_.push_back(with(with(0, i), j) << 32 | key);
           } else {
-            for (std::size_t k = j + 1; k < corners; ++k) faces.push_back({cell[i], cell[j], cell[k]});
+            for (std::size_t k = j + 1; k < corners; ++k) faces_.push_back(with(with(with(0, i), j), k) << 32 | key);
           }
         }
       }
@@ -90,27 +143,31 @@ class Search {
 
   // ---- In doubles ----
 
-  void see_face(Face face) {
-    std::array<NumberBall<BoundedDouble>, 4> corners;
-    for (std::size_t k = 0; k < face.size(); ++k) corners[k] = number_ball<BoundedDouble>(balls_, face[k]);
-    const auto made = touching<BoundedDouble>(std::span<const NumberBall<BoundedDouble>>(corners.data(), face.size()));
-    if (!made) return see_exactly(face);
-    const auto [discriminant, roots] = bounded_roots(*made);
-    if (discriminant < 0) return;
-    if (!roots) return see_exactly(face);
-    std::array<bool, 2> is_right{};
-    for (std::size_t k = 0; k < 2; ++k) {
-      const int answer = is_critical(face, corners[0], *made, (*roots)[k]);
-      if (answer == 0) return see_exactly(face);
-      is_right[k] = answer > 0;
+  // No number of the first try underflows: before they are rounded, all are integers of up to 12 such factors.
+  static constexpr double kGreatestOfSized = 0x1p60;
+
+  void see_face(Face face, const BallDiagram::Corners& cell) {
+    int answer = 0;
+    if (greatest_ < kGreatestOfSized) {
+      if (const auto made = touching<SizedDouble>(balls_, face)) answer = try_face(face, cell, with_bounds(*made));
+      if (answer < 0) return;
     }
-    for (std::size_t k = 0; k < 2; ++k) {
-      if (is_right[k]) add(face, Ids(face.begin(), face.end()), face.size() - 1, k, (*roots)[k]);
-    }
+    const auto made = touching<BoundedDouble>(balls_, face);
+    if (made && answer == 0) answer = try_face(face, cell, *made);
+    if (answer < 0) return;
+    const auto roots = made ? bounded_roots(*made).both : std::nullopt;
+    if (answer == 0 || !roots) return see_exactly(face);
+    add(face, Ids(face.begin(), face.end()), face.size() - 1, (*roots)[kRoot]);
   }
 
-  // 1 or -1 where it is certain, and 0 where it is not.
-  int is_critical(Face face, const NumberBall<BoundedDouble>& first, const Touching<BoundedDouble>& made,
+  // Whether a point is inside of the face: 1 or -1 where it is certain, and 0 where it is not.
+  int try_face(Face face, const BallDiagram::Corners& cell, const Touching<BoundedDouble>& made) const {
+    const auto [discriminant, roots] = bounded_roots(made);
+    if (discriminant < 0) return -1;
+    return roots ? is_critical(face, cell, made, (*roots)[kRoot]) : 0;
+  }
+
+  int is_critical(Face face, const BallDiagram::Corners& cell, const Touching<BoundedDouble>& made,
                   const BoundedDouble& s) const {
     int answer = s.certain_sign();
     if (answer < 0) return -1;
@@ -125,20 +182,22 @@ class Search {
       rest = rest - weight;
     }
     if (!take(rest.certain_sign())) return -1;
-    const Vector3<BoundedDouble> x = first.centre + made.a + s * made.b;
-    for (const std::uint32_t id : diagram_.neighbours(least_connected(face))) {
-      if (std::ranges::find(face, id) != face.end()) continue;
-      if (!take(excess(x, s, number_ball<BoundedDouble>(balls_, id)).certain_sign())) return -1;
-    }
+    const Vector3<BoundedDouble> centre = number_ball<BoundedDouble>(balls_, face[0]).centre;
+    const RoundedPlace place(centre + made.a + s * made.b, s, greatest_);
+    const auto is_nearer = [&](std::uint32_t id) {
+      return std::ranges::find(face, id) == face.end() && !take(place.side(balls_.rounded(id)));
+    };
+    // The cell's other corners are the nearest ones, as a rule.
+    const std::size_t corners = static_cast<std::size_t>(diagram_.dimension() + 1);
+    if (std::ranges::any_of(std::span(cell).first(corners), is_nearer)) return -1;
+    const std::uint32_t least = least_connected(face);
+    if (std::ranges::any_of(diagram_.neighbours(least), is_nearer)) return -1;
     if (answer == 0) return 0;
     // The ball with the fewest neighbours says whether another ball is nearer. One that is as near is a neighbour of
     // some ball of the face.
     for (const std::uint32_t id : face) {
       if (!balls_.tangent_inside(id).empty()) return 0;
-      for (const std::uint32_t other : diagram_.neighbours(id)) {
-        if (std::ranges::find(face, other) != face.end()) continue;
-        if (excess(x, s, number_ball<BoundedDouble>(balls_, other)).certain_sign() <= 0) return 0;
-      }
+      if (id != least && std::ranges::any_of(diagram_.neighbours(id), is_nearer)) return 0;
     }
     return answer;
   }
@@ -149,10 +208,10 @@ class Search {
     const auto made = touching<Rational>(balls_, face);
     if (!made) return;
     const std::vector<QuadraticNumber> roots = roots_of({made->c2, made->c1, made->c0});
-    for (std::size_t k = 0; k < roots.size(); ++k) see_root(face, *made, roots[k], k);
+    if (!roots.empty()) see_root(face, *made, roots[kRoot]);
   }
 
-  void see_root(Face face, const Touching<Rational>& made, const QuadraticNumber& s, std::size_t number) {
+  void see_root(Face face, const Touching<Rational>& made, const QuadraticNumber& s) {
     if (s.sign() < 0) return;
     QuadraticNumber rest = Rational(1);
     for (std::size_t k = 0; k + 1 < face.size(); ++k) {
@@ -171,7 +230,7 @@ class Search {
     }
     const Ids contacts = contacts_of(face, place);
     if (const std::optional<std::size_t> index = index_of(face, contacts)) {
-      add(face, contacts, *index, number, place.near_s);
+      add(face, contacts, *index, place.near_s);
     }
   }
 
@@ -240,15 +299,21 @@ class Search {
 
   // ---- Results ----
 
-  void add(Face face, Ids contacts, std::size_t index, std::size_t root, const BoundedDouble& near) {
+  void add(Face face, Ids contacts, std::size_t index, const BoundedDouble& near) {
     std::array<std::uint32_t, 4> carrier{};
     std::ranges::copy(face, carrier.begin());
     found_.push_back({static_cast<std::uint8_t>(index), std::move(contacts), carrier,
-                      static_cast<std::uint8_t>(face.size()), BallLevel(carrier, face.size(), root, near)});
+                      static_cast<std::uint8_t>(face.size()), BallLevel(carrier, face.size(), kRoot, near)});
   }
+
+  // Of a point inside of a face, in roots_of(): half of the power's derivative by s is the sum of the weights times
+  // -(r + s), which is negative, and at this root it is minus the root of the discriminant.
+  static constexpr std::size_t kRoot = 0;
 
   const BallDiagram& diagram_;
   const BallSet& balls_;
+  double greatest_ = 0;
+  std::vector<FaceKey> faces_;
   std::vector<BallCriticalPoint> found_;
 };
 

@@ -13,12 +13,14 @@
 #include "flowcert/ball_set.h"
 #include "flowcert/quadratic_number.h"
 #include "geometry/bounded_double.h"
+#include "geometry/sized_double.h"
 #include "geometry/vector3.h"
 #include "morse/layer.h"
 
 namespace flowcert::morse {
 
 using geometry::BoundedDouble;
+using geometry::SizedDouble;
 using geometry::Vector3;
 
 // A ball in a number type.
@@ -50,15 +52,21 @@ struct Touching {
   Number c2, c1, c0;
 };
 
-// The inverse of a positive number, and of a bounded one whose sign is certain.
+// The inverse of a positive number, and of one in doubles whose sign is certain.
 template <class Number>
 [[nodiscard]] std::optional<Number> inverse_of(const Number& x) {
-  if constexpr (std::is_same_v<Number, BoundedDouble>) {
-    if (x.certain_sign() == 0) return std::nullopt;
+  if constexpr (std::is_same_v<Number, SizedDouble>) {
+    const double least = std::fabs(x.value);
+    if (!(least > geometry::kSizedDoubleDivisor * x.size)) return std::nullopt;
+    return SizedDouble(1 / x.value, x.size / least / least);
   } else {
-    if (x == 0) return std::nullopt;
+    if constexpr (std::is_same_v<Number, BoundedDouble>) {
+      if (x.certain_sign() == 0) return std::nullopt;
+    } else {
+      if (x == 0) return std::nullopt;
+    }
+    return Number(1) / x;
   }
-  return Number(1) / x;
 }
 
 template <class Number>
@@ -136,10 +144,27 @@ struct BoundedRoots {
   return roots;
 }
 
+// Sizes do not tell that differences are exact, so that the origin is the first centre.
+[[nodiscard]] inline NumberBall<SizedDouble> seen_from(const BallSet& balls, std::uint32_t origin, std::uint32_t id) {
+  const std::array<double, 4>&from = balls.rounded(origin), &to = balls.rounded(id);
+  const auto way = [&](std::size_t k) {
+    const double difference = to[k] - from[k];
+    return balls.are_doubles() ? SizedDouble(difference)
+                               : SizedDouble(difference, std::fabs(to[k]) + std::fabs(from[k]));
+  };
+  return {{way(0), way(1), way(2)}, to[3]};
+}
+
 template <class Number>
 [[nodiscard]] std::optional<Touching<Number>> touching(const BallSet& balls, std::span<const std::uint32_t> ids) {
   std::array<NumberBall<Number>, 4> some;
-  for (std::size_t k = 0; k < ids.size(); ++k) some[k] = number_ball<Number>(balls, ids[k]);
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    if constexpr (std::is_same_v<Number, SizedDouble>) {
+      some[k] = seen_from(balls, ids[0], ids[k]);
+    } else {
+      some[k] = number_ball<Number>(balls, ids[k]);
+    }
+  }
   return touching<Number>(std::span<const NumberBall<Number>>(some.data(), ids.size()));
 }
 

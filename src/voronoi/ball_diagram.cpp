@@ -6,14 +6,18 @@
 #include <CGAL/Epick_d.h>
 #include <CGAL/Regular_triangulation.h>
 #include <CGAL/Spatial_sort_traits_adapter_d.h>
+#include <CGAL/TDS_full_cell_mirror_storage_policy.h>
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include "geometry/floating_point.h"
+#include "geometry/sized_double.h"
 #include "voronoi/layer.h"
 
 namespace flowcert {
@@ -21,13 +25,102 @@ namespace flowcert {
 namespace {
 
 using Dimension = CGAL::Dimension_tag<4>;
+using geometry::SizedDouble;
 
 template <class Kernel>
 using Regular = CGAL::Regular_triangulation<
     Kernel,
     CGAL::Triangulation_data_structure<
         Dimension, CGAL::Triangulation_vertex<CGAL::Regular_triangulation_traits_adapter<Kernel>, std::uint32_t>,
-        CGAL::Triangulation_full_cell<CGAL::Regular_triangulation_traits_adapter<Kernel>, std::uint32_t>>>;
+        CGAL::Triangulation_full_cell<
+            CGAL::Regular_triangulation_traits_adapter<Kernel>, std::uint32_t,
+            CGAL::Triangulation_ds_full_cell<void, CGAL::TDS_full_cell_mirror_storage_policy>>>>;
+
+template <std::size_t kSize>
+using Rows = std::array<std::array<SizedDouble, kSize>, kSize>;
+
+// The sign of a determinant of integers of up to 2^53, where doubles tell it. A term goes through 30 roundings at most,
+// nothing underflows, and a size of 0 says that all terms are 0. Where something overflows, no sign is certain.
+template <std::size_t kSize>
+std::optional<CGAL::Sign> certain_sign(const Rows<kSize>& rows) {
+  // Minors of the first columns: of two rows, of three, and of four.
+  std::array<std::array<SizedDouble, kSize>, kSize> two;
+  std::array<std::array<std::array<SizedDouble, kSize>, kSize>, kSize> three;
+#pragma GCC unroll 5
+  for (std::size_t j = 1; j < kSize; ++j) {
+#pragma GCC unroll 5
+    for (std::size_t i = 0; i < j; ++i) two[i][j] = rows[i][0] * rows[j][1] - rows[j][0] * rows[i][1];
+  }
+#pragma GCC unroll 5
+  for (std::size_t k = 2; k < kSize; ++k) {
+#pragma GCC unroll 5
+    for (std::size_t j = 1; j < k; ++j) {
+#pragma GCC unroll 5
+      for (std::size_t i = 0; i < j; ++i) {
+        three[i][j][k] = two[i][j] * rows[k][2] - two[i][k] * rows[j][2] + two[j][k] * rows[i][2];
+      }
+    }
+  }
+  const auto four = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
+    return three[i][j][k] * rows[l][3] - three[i][j][l] * rows[k][3] + three[i][k][l] * rows[j][3] -
+           three[j][k][l] * rows[i][3];
+  };
+  SizedDouble all;
+  if constexpr (kSize == 4) {
+    all = four(0, 1, 2, 3);
+  } else {
+    all = four(0, 1, 2, 3) * rows[4][4] - four(0, 1, 2, 4) * rows[3][4] + four(0, 1, 3, 4) * rows[2][4] -
+          four(0, 2, 3, 4) * rows[1][4] + four(1, 2, 3, 4) * rows[0][4];
+  }
+  if (all.size == 0) return CGAL::ZERO;
+  const int sign = all.bounded().certain_sign();
+  return sign == 0 ? std::nullopt : std::optional(static_cast<CGAL::Sign>(sign));
+}
+
+// CGAL's kernel for doubles, with doubles before its intervals. All numbers are integers.
+struct FilteredKernel : CGAL::Epick_d<Dimension> {
+  using Base = CGAL::Epick_d<Dimension>;
+
+  struct Orientation_d {
+    using result_type = CGAL::Orientation;
+    const Base& base;
+    template <class Iterator>
+    CGAL::Orientation operator()(const Iterator& first, const Iterator& last) const {
+      Rows<4> rows;
+      Iterator next = first;
+      const Base::Point_d origin = *next;
+      for (auto& row : rows) {
+        const Base::Point_d point = *++next;
+        for (int k = 0; k < 4; ++k) row[static_cast<std::size_t>(k)] = point[k] - origin[k];
+      }
+      if (const auto sign = certain_sign(rows)) return *sign;
+      return base.orientation_d_object()(first, last);
+    }
+  };
+  struct Power_side_of_power_sphere_d {
+    using result_type = CGAL::Oriented_side;
+    const Base& base;
+    template <class Iterator>
+    CGAL::Oriented_side operator()(const Iterator& first, const Iterator& last,
+                                   const Base::Weighted_point_d& from) const {
+      Rows<5> rows;
+      Iterator next = first;
+      for (auto& row : rows) {
+        const Base::Weighted_point_d& site = *next++;
+        row[4] = from.weight() - site.weight();
+        for (int k = 0; k < 4; ++k) {
+          SizedDouble& way = row[static_cast<std::size_t>(k)];
+          way = site.point()[k] - from.point()[k];
+          row[4] = row[4] + way * way;
+        }
+      }
+      if (const auto sign = certain_sign(rows)) return *sign;
+      return base.power_side_of_power_sphere_d_object()(first, last, from);
+    }
+  };
+  [[nodiscard]] Orientation_d orientation_d_object() const { return {*this}; }
+  [[nodiscard]] Power_side_of_power_sphere_d power_side_of_power_sphere_d_object() const { return {*this}; }
+};
 
 // Points that follow each other in this order are near to each other, so that each is found from the one before.
 std::vector<std::uint32_t> insertion_order(const BallSet& balls) {
@@ -123,7 +216,7 @@ void BallDiagram::sort_cells() {
 
 void BallDiagram::triangulate() {
   if (balls_->are_doubles() && are_weights_doubles(*balls_)) {
-    using Kernel = CGAL::Epick_d<Dimension>;
+    using Kernel = FilteredKernel;
     dimension_ = triangulate_with<Kernel>(
         *balls_,
         [&](std::uint32_t id) {
@@ -149,24 +242,27 @@ void BallDiagram::triangulate() {
 
 void BallDiagram::make_lists() {
   const std::size_t count = balls_->size(), corners = static_cast<std::size_t>(dimension_ + 1);
-  std::vector<std::vector<std::uint32_t>> stars(count);
+  const auto corners_of = [&](std::uint32_t cell) { return std::span(cells_[cell]).first(corners); };
+  star_.starts.assign(count + 1, 0);
   for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) {
-    for (std::size_t k = 0; k < corners; ++k) stars[cells_[cell][k]].push_back(cell);
+    for (const std::uint32_t id : corners_of(cell)) ++star_.starts[id + 1];
   }
-  star_.starts.push_back(0);
+  std::partial_sum(star_.starts.begin(), star_.starts.end(), star_.starts.begin());
+  star_.items.resize(star_.starts.back());
+  std::vector<std::uint32_t> next(star_.starts.begin(), star_.starts.end() - 1), seen(count, kNone);
+  for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) {
+    for (const std::uint32_t id : corners_of(cell)) star_.items[next[id]++] = cell;
+  }
   neighbours_.starts.push_back(0);
-  std::vector<std::uint32_t> near;
   for (std::uint32_t id = 0; id < count; ++id) {
-    near.clear();
-    for (const std::uint32_t cell : stars[id])
-      near.insert(near.end(), cells_[cell].begin(), cells_[cell].begin() + static_cast<std::ptrdiff_t>(corners));
-    std::ranges::sort(near);
-    near.erase(std::ranges::unique(near).begin(), near.end());
-    std::erase(near, id);
-    neighbours_.items.insert(neighbours_.items.end(), near.begin(), near.end());
-    star_.items.insert(star_.items.end(), stars[id].begin(), stars[id].end());
+    seen[id] = id;
+    for (const std::uint32_t cell : star(id)) {
+      for (const std::uint32_t other : corners_of(cell)) {
+        if (std::exchange(seen[other], id) != id) neighbours_.items.push_back(other);
+      }
+    }
+    std::sort(neighbours_.items.begin() + neighbours_.starts.back(), neighbours_.items.end());
     neighbours_.starts.push_back(static_cast<std::uint32_t>(neighbours_.items.size()));
-    star_.starts.push_back(static_cast<std::uint32_t>(star_.items.size()));
   }
 }
 

@@ -1,0 +1,38 @@
+// A double, and the size that its rounding errors are a small share of: three times faster than BoundedDouble.
+//
+// Guarantees: the size is at least the number, and grows as the sum of the absolute values of all terms. A result whose
+// terms go through n roundings, those of all factors added, is wrong by n 2^-53 of its size, and less than a hundredth
+// of that more. kSizedDoubleShare is enough for n = 120. Underflow is not counted: see where it is used.
+#pragma once
+
+#include <cmath>
+
+#include "geometry/bounded_double.h"
+
+namespace flowcert::geometry {
+
+inline constexpr double kSizedDoubleShare = 0x1p-46;
+// Where a number is less than this share of its size, it is not divided by.
+inline constexpr double kSizedDoubleDivisor = 0x1p-36;
+
+struct SizedDouble {
+  double value = 0, size = 0;
+
+  SizedDouble() = default;
+  SizedDouble(double number) : value(number), size(std::fabs(number)) {}  // NOLINT: a double is such a number
+  SizedDouble(double number, double sum) : value(number), size(sum) {}
+
+  [[nodiscard]] BoundedDouble bounded() const { return {value, kSizedDoubleShare * size}; }
+};
+
+[[nodiscard]] inline SizedDouble operator+(const SizedDouble& x, const SizedDouble& y) {
+  return {x.value + y.value, x.size + y.size};
+}
+[[nodiscard]] inline SizedDouble operator-(const SizedDouble& x, const SizedDouble& y) {
+  return {x.value - y.value, x.size + y.size};
+}
+[[nodiscard]] inline SizedDouble operator*(const SizedDouble& x, const SizedDouble& y) {
+  return {x.value * y.value, x.size * y.size};
+}
+
+}  // namespace flowcert::geometry
