@@ -64,15 +64,16 @@ int BallAscents::sign_at(const BallLevel& level, const Linear& linear) const {
 }
 
 template <class Number>
-Touching<Number> BallAscents::touching_of(const BallEdge& edge) const {
+const Touching<Number>& BallAscents::touching_of(const BallEdge& edge) const {
   if constexpr (std::is_same_v<Number, BoundedDouble>) {
-    if (edge.near) return *edge.near;
-    Touching<BoundedDouble> unknown;
-    unknown.a.x = unknown.a.y = unknown.a.z = unknown.c1 = unknown.c2 = unknown.c0 = BoundedDouble(0, HUGE_VAL);
-    unknown.b = unknown.a;
-    return unknown;
+    static const Touching<BoundedDouble> unknown = [] {
+      const BoundedDouble any(0, HUGE_VAL);
+      return Touching<BoundedDouble>{{any, any, any}, {any, any, any}, {}, {}, any, any, any};
+    }();
+    return edge.near ? *edge.near : unknown;
   } else {
-    return *touching<Number>(balls_, edge.balls);
+    if (!edge.exact) edge.exact = touching<Rational>(balls_, edge.balls);
+    return *edge.exact;
   }
 }
 template <class Number>
@@ -197,13 +198,16 @@ Ids BallAscents::first_hit(const Three& facet, const Ids& contacts, const BallLe
   const Plane<BoundedDouble> plane = plane_of<BoundedDouble>(balls_, facet);
   const NumberBall<BoundedDouble> first = number_ball<BoundedDouble>(balls_, facet[0]);
   const auto near = touching<BoundedDouble>(balls_, std::span<const std::uint32_t>(facet));
+  std::optional<Touching<Rational>> made;
   const auto exact_ahead = [&](std::uint32_t id) {
-    const auto made = *touching<Rational>(balls_, std::span<const std::uint32_t>(facet));
-    return at(lead(made, number_ball<Rational>(balls_, facet[0]), number_ball<Rational>(balls_, id)),
+    if (!made) made = touching<Rational>(balls_, std::span<const std::uint32_t>(facet));
+    return at(lead(*made, number_ball<Rational>(balls_, facet[0]), number_ball<Rational>(balls_, id)),
               level.exact(balls_));
   };
+  std::optional<Plane<Rational>> exact_plane;
   const auto exact_above = [&](std::uint32_t id) {
-    return QuadraticNumber(height(balls_, plane_of<Rational>(balls_, facet), id));
+    if (!exact_plane) exact_plane = plane_of<Rational>(balls_, facet);
+    return QuadraticNumber(height(balls_, *exact_plane, id));
   };
   std::optional<Hit> best;
   Ids nearest;
@@ -232,11 +236,16 @@ Ids BallAscents::first_hit(const Three& facet, const Ids& contacts, const BallLe
 
 // From a vertex of the power diagram, as the probe grows.
 BallEnds BallAscents::rise(const Ids& contacts, const BallLevel& level) {
+  const auto found = rises_.find(contacts);
+  if (found != rises_.end()) return rise_along(found->second, level);
   std::vector<BallEdge> above;
   for (BallEdge& edge : edges_among(contacts)) {
     if (reaches(edge, level, Side::kAbove)) above.push_back(std::move(edge));
   }
-  return rise_along(above, level);
+  if (contacts.size() == 4) return rise_along(above, level);
+  // Contacts that span space are those of one level, or of all levels of an edge of the diagram.
+  above = steepest(above, level);
+  return rise_along(rises_.emplace(contacts, std::move(above)).first->second, level);
 }
 
 // From a vertex of the diagram where five balls alone are equally far.
@@ -284,6 +293,16 @@ BallEnds BallAscents::follow(const BallEdge& edge, const BallLevel& level) {
 // Where the probe touches all of the contacts: at a peak, or it goes on across the farthest facet of their hull.
 BallEnds BallAscents::stop(const BallEdge& edge, const BallLevel& level) {
   const Ids contacts = contacts_at(edge, level);
+  if (contacts.size() == 4) return stop_among(contacts, edge, level);
+  for (const auto& [known, ends] : stops_[contacts]) {
+    if (compare(balls_, known, level) == 0) return ends;
+  }
+  const BallEnds ends = stop_among(contacts, edge, level);
+  stops_[contacts].emplace_back(level, ends);
+  return ends;
+}
+
+BallEnds BallAscents::stop_among(const Ids& contacts, const BallEdge& edge, const BallLevel& level) {
   const std::vector<Beyond> beyond = farthest(edge, hull(edge, contacts, level), level);
   if (beyond.empty()) return {peak(edge, contacts, level)};
   const std::uint32_t cell = contacts.size() == 4 ? edge.cells[0] : BallDiagram::kNone;
@@ -338,17 +357,25 @@ std::vector<BallAscents::Beyond> BallAscents::farthest(const BallEdge& edge, con
   return farthest;
 }
 
-// The edges along which the room grows fastest: d/ds of |x-p|^2 - (r+s)^2 is 2 (c1 + c2 s).
+// The edges along which the room grows fastest: d/ds of |x-p|^2 - (r+s)^2 is 2 (c1 + c2 s). All of them begin in one
+// point: where two have the same direction b, they are the same way, and one is taken.
 std::vector<BallEdge> BallAscents::steepest(const std::vector<BallEdge>& above, const BallLevel& level) const {
   std::vector<BallEdge> best;
+  const auto is_known = [&](const BallEdge& edge) {
+    const Vector3<Rational>& b = touching_of<Rational>(edge).b;
+    return std::ranges::any_of(best, [&](const BallEdge& other) {
+      const Vector3<Rational>& c = touching_of<Rational>(other).b;
+      return b.x == c.x && b.y == c.y && b.z == c.z;
+    });
+  };
   for (const BallEdge& edge : above) {
     const auto more = [&]<class Number>() {
-      const Touching<Number> one = touching_of<Number>(edge), two = touching_of<Number>(best[0]);
+      const Touching<Number>&one = touching_of<Number>(edge), &two = touching_of<Number>(best[0]);
       return std::pair<Number, Number>(one.c1 - two.c1, one.c2 - two.c2);
     };
     const int order = best.empty() ? 1 : sign_at(level, more);
     if (order > 0) best.clear();
-    if (order >= 0) best.push_back(edge);
+    if (order > 0 || (order == 0 && !is_known(edge))) best.push_back(edge);
   }
   return best;
 }
@@ -394,10 +421,9 @@ std::vector<BallEdge> BallAscents::edges_among(const Ids& contacts) const {
     if (count < 4) return;
     for (std::size_t k = 0; k < 5; ++k) {
       if (count == 4 && k != outer) continue;
-      // The cell behind has the edge, too.
-      const std::uint32_t behind = corners[k] == BallDiagram::kNone ? BallDiagram::kNone : diagram_.adjacent()[cell][k];
+      // The cell behind has the edge, too, and is seen as well. No cell has the greatest number.
+      if (corners[k] != BallDiagram::kNone && diagram_.adjacent()[cell][k] < cell) continue;
       BallEdge edge = edge_of(cell, k);
-      if (behind != BallDiagram::kNone && std::ranges::find(found, edge) != found.end()) continue;
       if (is_in_space(edge)) found.push_back(std::move(edge));
     }
   };

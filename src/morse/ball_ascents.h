@@ -26,6 +26,7 @@ struct BallEdge {
   std::array<std::uint32_t, 2> cells{BallDiagram::kNone, BallDiagram::kNone};
   std::array<std::uint32_t, 2> opposite{BallDiagram::kNone, BallDiagram::kNone};  // the cells' fifth balls
   std::optional<Touching<BoundedDouble>> near;
+  mutable std::optional<Touching<Rational>> exact;  // made when it is asked for
 
   friend bool operator==(const BallEdge& x, const BallEdge& y) { return x.balls == y.balls; }
 };
@@ -58,6 +59,7 @@ class BallAscents {
   BallEnds rise_along(const std::vector<BallEdge>& above, const BallLevel& level);
   BallEnds follow(const BallEdge& edge, const BallLevel& level);
   BallEnds stop(const BallEdge& edge, const BallLevel& level);
+  BallEnds stop_among(const Ids& contacts, const BallEdge& edge, const BallLevel& level);
 
   [[nodiscard]] std::uint32_t cell_with(const Three& facet) const;
   [[nodiscard]] std::optional<BallEdge> edge_ahead(const Three& facet, const BallLevel& level, std::uint32_t cell);
@@ -78,7 +80,7 @@ class BallAscents {
   [[nodiscard]] std::uint32_t peak(const BallEdge& edge, const Ids& contacts, const BallLevel& level) const;
 
   template <class Number>
-  [[nodiscard]] Touching<Number> touching_of(const BallEdge& edge) const;
+  [[nodiscard]] const Touching<Number>& touching_of(const BallEdge& edge) const;
   template <class Number>
   [[nodiscard]] std::pair<Number, Number> lead_of(const BallEdge& edge, std::uint32_t id) const;
   template <class Linear>
@@ -88,6 +90,9 @@ class BallAscents {
   const BallSet& balls_;
   std::map<Ids, std::uint32_t> peak_of_;
   std::map<std::pair<std::array<std::uint32_t, 4>, bool>, BallEnds> known_;  // by edge, and whether it ends in a zero
+  // By more than four contacts: the edges to rise along; and where the probe touches them all at a level, the ends.
+  std::map<Ids, std::vector<BallEdge>> rises_;
+  std::map<Ids, std::vector<std::pair<BallLevel, BallEnds>>> stops_;
   mutable std::vector<std::int8_t> simple_;  // by cell: 1 where is_simple(), -1 where not, 0 where nobody asked
   mutable std::vector<std::uint32_t> seen_;  // by ball: the number of the last search that saw it
   mutable std::uint32_t searches_ = 0;
