@@ -124,7 +124,8 @@ std::uint32_t BallAscents::cell_with(const Three& facet) const {
     return std::ranges::all_of(facet,
                                [&](std::uint32_t id) { return std::ranges::find(corners, id) != corners.end(); });
   };
-  const auto star = diagram_.star(facet[0]);
+  const auto star =
+      diagram_.star(*std::ranges::min_element(facet, {}, [&](std::uint32_t id) { return diagram_.star(id).size(); }));
   const auto found = std::ranges::find_if(star, has_all);
   return found == star.end() ? BallDiagram::kNone : *found;
 }

@@ -52,7 +52,6 @@ constexpr double kExcessShare = 0x1p-50;
 // A point at a distance from balls, in doubles: says of many balls whether they are nearer.
 class RoundedPlace {
  public:
-  // No coordinate and no radius of a ball is greater than `greatest`.
   RoundedPlace(const Vector3<BoundedDouble>& x, const BoundedDouble& s, double greatest)
       : x_{x.x.value, x.y.value, x.z.value}, s_(s.value) {
     const double far = greatest + std::fabs(s_) + greatest_coordinate({x_.x, x_.y, x_.z});
@@ -76,11 +75,9 @@ class RoundedPlace {
 
 class Search {
  public:
-  explicit Search(const BallDiagram& diagram) : diagram_(diagram), balls_(diagram.balls()) {
-    for (const std::uint32_t id : balls_.visible()) {
-      for (const double number : balls_.rounded(id)) greatest_ = std::max(greatest_, std::fabs(number));
-    }
-  }
+  // No coordinate and no radius is greater.
+  Search(const BallDiagram& diagram, double greatest)
+      : diagram_(diagram), balls_(diagram.balls()), greatest_(greatest) {}
 
   // The points inside of faces of which these balls are the first.
   std::vector<BallCriticalPoint> run(std::span<const std::uint32_t> ids) {
@@ -101,11 +98,17 @@ class Search {
   void see_faces(std::uint32_t first) {
     if (diagram_.dimension() < 1) return;
     faces_.clear();
-    const std::size_t corners = static_cast<std::size_t>(diagram_.dimension() + 1);
-    for (const std::uint32_t number : diagram_.star(first)) {
-      const BallDiagram::Corners& cell = diagram_.cells()[number];
-      const std::size_t place = static_cast<std::size_t>(std::ranges::find(cell, first) - cell.begin());
-      add_subsets<kOthers>(cell, place + 1, corners, number);
+    const auto add = [&](std::uint32_t number, auto... others) {
+      FaceKey key = 0;
+      ((key = key << 32 | others), ...);
+      faces_.push_back(key << 32 | number);
+    };
+    if constexpr (kOthers == 1) {
+      for (const std::uint32_t id : diagram_.neighbours(first)) {
+        if (id > first) add(diagram_.star(first)[0], id);
+      }
+    } else {
+      for (const std::uint32_t number : diagram_.star(first)) add_subsets<kOthers>(first, number, add);
     }
     std::ranges::sort(faces_);
     std::array<std::uint32_t, kOthers + 1> face{};
@@ -119,18 +122,18 @@ class Search {
     }
   }
 
+  // A tetrahedron behind which there is a cell of a lower number is not added: it has been.
   template <std::size_t kOthers>
-  void add_subsets(const BallDiagram::Corners& cell, std::size_t from, std::size_t corners, FaceKey key) {
-    const auto with = [&](FaceKey before, std::size_t k) { return before << 32 | cell[k]; };
-    for (std::size_t i = from; i < corners; ++i) {
-      if constexpr (kOthers == 1) {
-        faces_.push_back(with(0, i) << 32 | key);
-      } else {
-        for (std::size_t j = i + 1; j < corners; ++j) {
-          if constexpr (kOthers == 2) {
-            faces_.push_back(with(with(0, i), j) << 32 | key);
-          } else {
-            for (std::size_t k = j + 1; k < corners; ++k) faces_.push_back(with(with(with(0, i), j), k) << 32 | key);
+  void add_subsets(std::uint32_t first, std::uint32_t number, const auto& add) {
+    const BallDiagram::Corners& cell = diagram_.cells()[number];
+    const std::size_t corners = static_cast<std::size_t>(diagram_.dimension() + 1);
+    const std::size_t place = static_cast<std::size_t>(std::ranges::find(cell, first) - cell.begin());
+    for (std::size_t i = place + 1; i < corners; ++i) {
+      for (std::size_t j = i + 1; j < corners; ++j) {
+        if constexpr (kOthers == 2) add(number, cell[i], cell[j]);
+        for (std::size_t k = j + 1; kOthers == 3 && k < corners; ++k) {
+          if (corners == 4 || diagram_.adjacent()[number][10 - place - i - j - k] > number) {
+            add(number, cell[i], cell[j], cell[k]);
           }
         }
       }
@@ -312,7 +315,7 @@ class Search {
 
   const BallDiagram& diagram_;
   const BallSet& balls_;
-  double greatest_ = 0;
+  const double greatest_;
   std::vector<FaceKey> faces_;
   std::vector<BallCriticalPoint> found_;
 };
@@ -322,10 +325,14 @@ class Search {
 std::vector<BallCriticalPoint> ball_critical_points(const BallDiagram& diagram, unsigned threads) {
   constexpr std::size_t kIdsAtOnce = 64;
   const std::span<const std::uint32_t> ids = diagram.balls().visible();
+  double greatest = 0;
+  for (const std::uint32_t id : ids) {
+    for (const double number : diagram.balls().rounded(id)) greatest = std::max(greatest, std::fabs(number));
+  }
   std::vector<std::vector<BallCriticalPoint>> parts((ids.size() + kIdsAtOnce - 1) / kIdsAtOnce);
   geometry::parallel_for(parts.size(), threads, [&](std::size_t part) {
     const std::size_t first = part * kIdsAtOnce;
-    parts[part] = Search(diagram).run(ids.subspan(first, std::min(kIdsAtOnce, ids.size() - first)));
+    parts[part] = Search(diagram, greatest).run(ids.subspan(first, std::min(kIdsAtOnce, ids.size() - first)));
   });
   // Where more balls are equally far, a point is inside of several faces.
   std::vector<BallCriticalPoint> all;
