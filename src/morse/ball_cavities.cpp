@@ -25,6 +25,7 @@ class Components {
       : balls_(balls),
         s_(probe * balls.scale()),
         near_s_(bounded(s_)),
+        sized_s_(near_s_.value),
         slice_(balls, probe),
         outside_(static_cast<std::uint32_t>(slice_.tetrahedra.size())),
         sets_(outside_ + 1) {}
@@ -64,6 +65,8 @@ class Components {
   [[nodiscard]] const Number& level() const {
     if constexpr (std::is_same_v<Number, BoundedDouble>) {
       return near_s_;
+    } else if constexpr (std::is_same_v<Number, SizedDouble>) {
+      return sized_s_;
     } else {
       return s_;
     }
@@ -72,6 +75,9 @@ class Components {
   // The sign of a number that `number` makes in the type that it is asked for, or of nothing.
   template <class Make>
   [[nodiscard]] static int sign_of(const Make& number) {
+    if (const std::optional<SizedDouble> near = number.template operator()<SizedDouble>()) {
+      if (const int sign = near->bounded().certain_sign(); sign != 0) return sign;
+    }
     if (const std::optional<BoundedDouble> near = number.template operator()<BoundedDouble>()) {
       if (const int sign = near->certain_sign(); sign != 0) return sign;
     }
@@ -94,7 +100,7 @@ class Components {
       const auto made = touching<Number>(balls_, triangle);
       if (!made) return std::nullopt;
       const auto [first, second] =
-          lead(*made, number_ball<Number>(balls_, triangle[0]), number_ball<Number>(balls_, id));
+          lead(*made, ball_from<Number>(balls_, triangle[0], triangle[0]), ball_from<Number>(balls_, triangle[0], id));
       return first + second * level<Number>();
     });
   }
@@ -119,6 +125,7 @@ class Components {
   const BallSet& balls_;
   const Rational s_;
   const BoundedDouble near_s_;
+  const SizedDouble sized_s_;
   const BallSlice slice_;
   const std::uint32_t outside_;
   geometry::DisjointSets sets_;

@@ -146,15 +146,10 @@ class Search {
 
   // ---- In doubles ----
 
-  // No number of the first try underflows: before they are rounded, all are integers of up to 12 such factors.
-  static constexpr double kGreatestOfSized = 0x1p60;
-
   void see_face(Face face, const BallDiagram::Corners& cell) {
     int answer = 0;
-    if (greatest_ < kGreatestOfSized) {
-      if (const auto made = touching<SizedDouble>(balls_, face)) answer = try_face(face, cell, with_bounds(*made));
-      if (answer < 0) return;
-    }
+    if (const auto made = touching<SizedDouble>(balls_, face)) answer = try_face(face, cell, with_bounds(*made));
+    if (answer < 0) return;
     const auto made = touching<BoundedDouble>(balls_, face);
     if (made && answer == 0) answer = try_face(face, cell, *made);
     if (answer < 0) return;

@@ -144,27 +144,29 @@ struct BoundedRoots {
   return roots;
 }
 
-// Sizes do not tell that differences are exact, so that the origin is the first centre.
-[[nodiscard]] inline NumberBall<SizedDouble> seen_from(const BallSet& balls, std::uint32_t origin, std::uint32_t id) {
-  const std::array<double, 4>&from = balls.rounded(origin), &to = balls.rounded(id);
-  const auto way = [&](std::size_t k) {
-    const double difference = to[k] - from[k];
-    return balls.are_doubles() ? SizedDouble(difference)
-                               : SizedDouble(difference, std::fabs(to[k]) + std::fabs(from[k]));
-  };
-  return {{way(0), way(1), way(2)}, to[3]};
+// A ball as touching() and lead() take it. Sizes do not tell that differences are exact, so that the origin is the first
+// centre there. Of integers of up to 2^60 no term under- or overflows: all of them have less than 17 such factors.
+template <class Number>
+[[nodiscard]] NumberBall<Number> ball_from(const BallSet& balls, std::uint32_t origin, std::uint32_t id) {
+  if constexpr (std::is_same_v<Number, SizedDouble>) {
+    constexpr double kGreatest = 0x1p60;
+    const std::array<double, 4>&from = balls.rounded(origin), &to = balls.rounded(id);
+    const auto way = [&](std::size_t k) {
+      const double sum = std::fabs(to[k]) + std::fabs(from[k]);
+      const double difference = to[k] - from[k];
+      if (!(sum < kGreatest && to[3] < kGreatest)) return SizedDouble(difference, HUGE_VAL);
+      return balls.are_doubles() ? SizedDouble(difference) : SizedDouble(difference, sum);
+    };
+    return {{way(0), way(1), way(2)}, to[3]};
+  } else {
+    return number_ball<Number>(balls, id);
+  }
 }
 
 template <class Number>
 [[nodiscard]] std::optional<Touching<Number>> touching(const BallSet& balls, std::span<const std::uint32_t> ids) {
   std::array<NumberBall<Number>, 4> some;
-  for (std::size_t k = 0; k < ids.size(); ++k) {
-    if constexpr (std::is_same_v<Number, SizedDouble>) {
-      some[k] = seen_from(balls, ids[0], ids[k]);
-    } else {
-      some[k] = number_ball<Number>(balls, ids[k]);
-    }
-  }
+  for (std::size_t k = 0; k < ids.size(); ++k) some[k] = ball_from<Number>(balls, ids[0], ids[k]);
   return touching<Number>(std::span<const NumberBall<Number>>(some.data(), ids.size()));
 }
 
