@@ -15,24 +15,28 @@ inline constexpr double kSizedDoubleShare = 0x1p-46;
 // Where a number is less than this share of its size, it is not divided by.
 inline constexpr double kSizedDoubleDivisor = 0x1p-36;
 
-struct SizedDouble {
-  double value = 0, size = 0;
-
+// Both are in one register.
+class SizedDouble {
+ public:
   SizedDouble() = default;
-  SizedDouble(double number) : value(number), size(std::fabs(number)) {}  // NOLINT: a double is such a number
-  SizedDouble(double number, double sum) : value(number), size(sum) {}
+  SizedDouble(double number) : pair_{number, std::fabs(number)} {}  // NOLINT: a double is such a number
+  SizedDouble(double number, double size) : pair_{number, size} {}
 
-  [[nodiscard]] BoundedDouble bounded() const { return {value, kSizedDoubleShare * size}; }
+  [[nodiscard]] double value() const { return pair_[0]; }
+  [[nodiscard]] double size() const { return pair_[1]; }
+  [[nodiscard]] BoundedDouble bounded() const { return {value(), kSizedDoubleShare * size()}; }
+
+  friend SizedDouble operator+(const SizedDouble& x, const SizedDouble& y) { return SizedDouble(x.pair_ + y.pair_); }
+  friend SizedDouble operator-(const SizedDouble& x, const SizedDouble& y) {
+    return SizedDouble(x.pair_ + y.pair_ * Pair{-1, 1});
+  }
+  friend SizedDouble operator*(const SizedDouble& x, const SizedDouble& y) { return SizedDouble(x.pair_ * y.pair_); }
+
+ private:
+  using Pair = double __attribute__((vector_size(16)));
+  explicit SizedDouble(Pair pair) : pair_(pair) {}
+
+  Pair pair_{0, 0};
 };
-
-[[nodiscard]] inline SizedDouble operator+(const SizedDouble& x, const SizedDouble& y) {
-  return {x.value + y.value, x.size + y.size};
-}
-[[nodiscard]] inline SizedDouble operator-(const SizedDouble& x, const SizedDouble& y) {
-  return {x.value - y.value, x.size + y.size};
-}
-[[nodiscard]] inline SizedDouble operator*(const SizedDouble& x, const SizedDouble& y) {
-  return {x.value * y.value, x.size * y.size};
-}
 
 }  // namespace flowcert::geometry

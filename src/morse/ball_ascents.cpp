@@ -454,8 +454,8 @@ bool BallAscents::reaches(const BallEdge& edge, const BallLevel& level, Side sid
   });
 }
 
-// Whether the cell's vertex has no other contacts than its five balls, where doubles tell it: then no cell behind it has
-// the same vertex.
+// Whether the cell's vertex has no other contacts than its five balls, where doubles tell it: then no cell behind it
+// has the same vertex.
 bool BallAscents::is_simple(std::uint32_t cell) const {
   std::int8_t& answer = simple_[cell];
   if (answer != 0) return answer > 0;

@@ -56,9 +56,9 @@ struct Touching {
 template <class Number>
 [[nodiscard]] std::optional<Number> inverse_of(const Number& x) {
   if constexpr (std::is_same_v<Number, SizedDouble>) {
-    const double least = std::fabs(x.value);
-    if (!(least > geometry::kSizedDoubleDivisor * x.size)) return std::nullopt;
-    return SizedDouble(1 / x.value, x.size / least / least);
+    const double least = std::fabs(x.value());
+    if (!(least > geometry::kSizedDoubleDivisor * x.size())) return std::nullopt;
+    return SizedDouble(1 / x.value(), x.size() / least / least);
   } else {
     if constexpr (std::is_same_v<Number, BoundedDouble>) {
       if (x.certain_sign() == 0) return std::nullopt;
@@ -144,8 +144,8 @@ struct BoundedRoots {
   return roots;
 }
 
-// A ball as touching() and lead() take it. Sizes do not tell that differences are exact, so that the origin is the first
-// centre there. Of integers of up to 2^60 no term under- or overflows: all of them have less than 17 such factors.
+// A ball as touching() and lead() take it. Sizes do not tell that differences are exact, so that the origin is the
+// first centre there. Of integers of up to 2^60 no term under- or overflows: all of them have less than 17 such factors.
 template <class Number>
 [[nodiscard]] NumberBall<Number> ball_from(const BallSet& balls, std::uint32_t origin, std::uint32_t id) {
   if constexpr (std::is_same_v<Number, SizedDouble>) {

@@ -39,8 +39,8 @@ using Regular = CGAL::Regular_triangulation<
 template <std::size_t kSize>
 using Rows = std::array<std::array<SizedDouble, kSize>, kSize>;
 
-// The sign of a determinant of integers of up to 2^53, where doubles tell it. A term goes through 30 roundings at most,
-// nothing underflows, and a size of 0 says that all terms are 0. Where something overflows, no sign is certain.
+// The sign of a determinant of integers, where doubles tell it. A term goes through 30 roundings at most, nothing
+// underflows, and a size of 0 says that all terms are 0. Where something overflows, no sign is certain.
 template <std::size_t kSize>
 std::optional<CGAL::Sign> certain_sign(const Rows<kSize>& rows) {
   // Minors of the first columns: of two rows, of three, and of four.
@@ -72,7 +72,7 @@ std::optional<CGAL::Sign> certain_sign(const Rows<kSize>& rows) {
     all = four(0, 1, 2, 3) * rows[4][4] - four(0, 1, 2, 4) * rows[3][4] + four(0, 1, 3, 4) * rows[2][4] -
           four(0, 2, 3, 4) * rows[1][4] + four(1, 2, 3, 4) * rows[0][4];
   }
-  if (all.size == 0) return CGAL::ZERO;
+  if (all.size() == 0) return CGAL::ZERO;
   const int sign = all.bounded().certain_sign();
   return sign == 0 ? std::nullopt : std::optional(static_cast<CGAL::Sign>(sign));
 }
