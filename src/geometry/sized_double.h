@@ -1,8 +1,9 @@
 // A double, and the size that its rounding errors are a small share of: three times faster than BoundedDouble.
 //
-// Guarantees: the size is at least the number, and grows as the sum of the absolute values of all terms. A result whose
-// terms go through n roundings, those of all factors added, is wrong by n 2^-53 of its size, and less than a hundredth
-// of that more. kSizedDoubleShare is enough for n = 120. Underflow is not counted: see where it is used.
+// Guarantees: the size grows as the sum of the absolute values of all terms. A result whose terms go through n roundings,
+// those of all factors added, is wrong by n 2^-53 of its size, and less than a hundredth of that more, also where some
+// factors are inverses as inverse_of() makes them. kSizedDoubleShare is enough for n = 120. Underflow is not counted:
+// numbers have to be far from it.
 #pragma once
 
 #include <cmath>
