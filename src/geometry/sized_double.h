@@ -1,9 +1,9 @@
 // A double, and the size that its rounding errors are a small share of: three times faster than BoundedDouble.
 //
-// Guarantees: the size grows as the sum of the absolute values of all terms. A result whose terms go through n roundings,
-// those of all factors added, is wrong by n 2^-53 of its size, and less than a hundredth of that more, also where some
-// factors are inverses as inverse_of() makes them. kSizedDoubleShare is enough for n = 120. Underflow is not counted:
-// numbers have to be far from it.
+// Guarantees: the size grows as the sum of the absolute values of all terms. A result whose terms go through n
+// roundings, those of all factors added, is wrong by n 2^-53 of its size, and less than a hundredth of that more, also
+// where some factors are inverses as inverse_of() makes them. kSizedDoubleShare is enough for n = 120. Underflow is not
+// counted: numbers have to be far from it.
 #pragma once
 
 #include <cmath>
