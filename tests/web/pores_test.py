@@ -1,20 +1,18 @@
 """Pages of balls list the chambers between them with their windows, and draw the picked one. Values are those of
 `pores --json`."""
 import json
-import pathlib
 
 import pytest
 
-CAGE = pathlib.Path(__file__).resolve().parents[1] / "inputs" / "cage.xyz"
-OPTIONS = ["--radii", "bondi", "--depth", "0.5", "--probe", "2"]
+import inputs
 
 
 @pytest.fixture
 def cage(browser, program):
     """The cage's page, opened, and what `pores` says of it."""
-    page = program.page("cage", CAGE.read_text(), OPTIONS)
+    page = program.page("cage", inputs.CAGE.read_text(), inputs.CAGE_OPTIONS)
     browser.open(page.path)
-    return json.loads(program.run("pores", page.source, *OPTIONS, "--json"))
+    return json.loads(program.run("pores", page.source, *inputs.CAGE_OPTIONS, "--json"))
 
 
 def cells(row):
