@@ -1,4 +1,4 @@
-// Let c be the middle of a cube, and h the distance of its corners from it. |d(x) - d(c)| <= h for x in the cube, and so
+// Let c be the middle of a cube, and h the distance of its corners from it. For x in the cube |d(x) - d(c)| <= h, and so
 // |c - p| - r <= d(c) + 2 h for each contact of x. With d(c) + h < 0 no place of the cube has a value of 0 or more.
 #include "oracle/fast/near_balls.h"
 
