@@ -1,5 +1,5 @@
 // Random sets of balls that are degenerate: integer centres, few radii, symmetric sets, cages, balls that touch or hide
-// each other, and equal ones.
+// each other, and equal ones; and sets that are degenerate but for 2^-60, with values that have one nearest double.
 #pragma once
 
 #include <cstdint>

@@ -40,6 +40,7 @@ oracle::Places places(const Ids& numbers) { return {numbers.begin(), numbers.end
 
 struct Totals {
   std::size_t points = 0, chambers = 0, windows = 0, vestibules = 0, ties = 0, below = 0;
+  std::size_t one_double = 0;  // sets
 };
 
 void expect_same_points(const Pores& fast, const oracle::Pores& right) {
@@ -98,7 +99,16 @@ std::vector<oracle::Cavity> cavities_of(const Pores& fast) {
   return cavities;
 }
 
+bool has_values_of_one_double(const Pores& fast) {
+  for (std::uint32_t number = 1; number < fast.points().size(); ++number) {
+    const QuadraticNumber above = fast.value(number - 1), below = fast.value(number);
+    if (above != below && nearest_or_infinity(above) == nearest_or_infinity(below)) return true;
+  }
+  return false;
+}
+
 void count(const Pores& fast, Totals& totals) {
+  totals.one_double += has_values_of_one_double(fast);
   totals.points += fast.points().size();
   totals.chambers += fast.chambers().size();
   totals.windows += fast.windows().size();
@@ -141,11 +151,15 @@ TEST(PoreAgreement, FastIsTheOracleOnDegenerateBalls) {
     const Rational depth = *std::next(depths.begin(), static_cast<std::ptrdiff_t>(number % depths.size()));
     expect_same_rooms(Pores(balls, depth), oracle::pores(same, oracle::Rational(flowcert::to_text(depth))));
   }
-  std::printf("%llu sets: %zu points, %zu chambers, %zu windows, %zu vestibules, %zu unions of ties, %zu gates < 0\n",
-              static_cast<unsigned long long>(sets), totals.points, totals.chambers, totals.windows, totals.vestibules,
-              totals.ties, totals.below);
+  std::printf(
+      "%llu sets: %zu points, %zu chambers, %zu windows, %zu vestibules, %zu unions of ties, %zu gates < 0, "
+      "%zu with values of one double\n",
+      static_cast<unsigned long long>(sets), totals.points, totals.chambers, totals.windows, totals.vestibules,
+      totals.ties, totals.below, totals.one_double);
   EXPECT_GE(totals.chambers, sets / 4);
   EXPECT_GE(totals.ties, sets / 50);
+  EXPECT_GE(totals.below, sets / 50);
+  EXPECT_GE(totals.one_double, sets / 20);
 }
 
 }  // namespace
