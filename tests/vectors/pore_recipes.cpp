@@ -3,6 +3,7 @@
 #include "tests/vectors/pore_recipes.h"
 
 #include <random>
+#include <utility>
 
 #include "oracle/program/read_points.h"
 #include "tests/vectors/recipes.h"
@@ -218,6 +219,11 @@ void add_signs_and_ties(PoreWriter& cases) {
   cases.given("a gate of exactly 0", box({"4", "3", "3", "5"}), {{"0", "0"}});
   cases.given("a gate and a peak of one double: the chamber has a depth of 2^-64 or so",
               box({"4", "3", "0.0000000003", "1"}), {{"1e-25", "4"}, {"1e-15", std::nullopt}});
+  for (const auto& [what, radius] : {std::pair("comes short of", "2.5358983848622454129451073"),
+                                     std::pair("reaches beyond", "2.5358983848622454129451074")}) {
+    cases.given("the cage of FC-BALL-07 with a ball that " + std::string(what) + " its peak's probe, by 10^-25 or less",
+                tetrahedron("2", "1") + balls("5 0 0 " + std::string(radius)));
+  }
   const std::string tiny = "1.000000000000000000001";
   cases.given("four windows of two values that have one double: one ball is larger by 10^-21",
               tetrahedron("2", "1") + balls("2 2 2 " + tiny));
