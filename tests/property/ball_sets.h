@@ -16,7 +16,7 @@ struct DegenerateBalls {
   std::vector<Ball> balls;
 };
 
-// The same set for the same number, on every system. At most nine balls.
+// The same set for the same number, on every system. At most ten balls.
 [[nodiscard]] DegenerateBalls degenerate_balls(std::uint64_t number);
 
 }  // namespace flowcert::property
