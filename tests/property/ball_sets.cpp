@@ -76,18 +76,17 @@ void move_a_little(Draw& draw, std::vector<Ball>& balls) {
   (choice == 3 ? ball.radius : ball.centre[static_cast<std::size_t>(choice)]) += little;
 }
 
-// Corners of a box, all or each second one, and a ball that touches the widest probe in its middle but for 2^-60.
+// Each second corner of a box, and a ball that touches the widest probe in its middle but for 2^-60.
 std::vector<Ball> plugged_box(Draw& draw) {
   using Integer = boost::multiprecision::mpz_int;
   constexpr int kDigits = 60, kMiddle = 2;
   const std::array<int, 3> half{1 + draw.below(2), 1 + draw.below(2), 1 + draw.below(2)};
-  const bool has_all = draw.below(2) == 0;
   const Rational radius = draw.radius(3);
   std::vector<Ball> balls;
   int square = 0;
   for (const int length : half) square += length * length;
   for (unsigned corner = 0; corner < 8; ++corner) {
-    if (!has_all && std::popcount(corner) % 2 == 1) continue;
+    if (std::popcount(corner) % 2 == 1) continue;
     Ball& ball = balls.emplace_back(Ball{{kMiddle, kMiddle, kMiddle}, radius});
     for (std::size_t k = 0; k < 3; ++k) ball.centre[k] += (corner >> k) % 2 == 0 ? half[k] : -half[k];
   }
