@@ -7,11 +7,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <set>
 #include <vector>
 
+#include "flowcert/ball_cavities.h"
 #include "flowcert/pores.h"
+#include "oracle/ball_linings.h"
 #include "oracle/pores.h"
 #include "tests/cites.h"
 #include "tests/property/ball_sets.h"
@@ -41,6 +44,7 @@ oracle::Places places(const Ids& numbers) { return {numbers.begin(), numbers.end
 struct Totals {
   std::size_t points = 0, chambers = 0, windows = 0, vestibules = 0, ties = 0, below = 0;
   std::size_t one_double = 0;  // sets
+  std::size_t probes = 0, lined = 0, unlined = 0;
 };
 
 void expect_same_points(const Pores& fast, const oracle::Pores& right) {
@@ -129,6 +133,41 @@ std::set<Rational> depths_of(const Pores& all) {
   return depths;
 }
 
+// With few binary digits. 0 <= low < high.
+Rational between(double low, double high) {
+  double scale = 1;
+  while ((std::floor(low * scale) + 1) / scale >= high) scale *= 2;
+  return Rational((std::floor(low * scale) + 1) / scale);
+}
+
+// All values that are rational, and a number between any two.
+std::vector<Rational> probes_of(const Pores& fast) {
+  std::set<Rational> probes = {0};
+  double above = 0;
+  for (std::uint32_t number = 0; number < fast.points().size(); ++number) {
+    const QuadraticNumber value = fast.value(number);
+    const double near = nearest_or_infinity(value);
+    if (value.is_rational()) probes.insert(value.a);
+    if (number > 0 && above != near) probes.insert(between(near, above));
+    above = near;
+  }
+  return {probes.begin(), probes.end()};
+}
+
+void expect_same_cavities(const BallSet& balls, const std::vector<oracle::Ball>& same, const Pores& fast,
+                          const oracle::Pores& right, Totals& totals) {
+  for (const Rational& probe : probes_of(fast)) {
+    SCOPED_TRACE("probe " + flowcert::to_text(probe));
+    std::vector<oracle::Places> mine;
+    for (const BallCavity& cavity : ball_cavities(balls, probe)) mine.push_back(places(cavity.atoms));
+    ASSERT_EQ(mine.size(), fast.cavities_at(probe));
+    if (mine.empty()) continue;
+    EXPECT_EQ(mine, oracle::cavity_linings(same, right, oracle::Rational(flowcert::to_text(probe))));
+    ++totals.probes;
+    for (const oracle::Places& each : mine) totals.lined += each.size();
+  }
+}
+
 TEST(PoreAgreement, FastIsTheOracleOnDegenerateBalls) {
   CITES("FC-BALL-02", "FC-BALL-03", "FC-BALL-05", "FC-BALL-07", "FC-BALL-09");
   const auto sets = static_cast<std::uint64_t>(
@@ -146,6 +185,7 @@ TEST(PoreAgreement, FastIsTheOracleOnDegenerateBalls) {
     EXPECT_EQ(cavities_of(all), right.cavities);
     EXPECT_EQ(cavities_of(all), oracle::cavities_by_homology(same));
     count(all, totals);
+    expect_same_cavities(balls, same, all, right, totals);
     const std::set<Rational> depths = depths_of(all);
     if (depths.empty()) continue;
     const Rational depth = *std::next(depths.begin(), static_cast<std::ptrdiff_t>(number % depths.size()));
