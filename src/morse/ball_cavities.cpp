@@ -23,8 +23,8 @@ namespace {
 
 using Ids = std::vector<std::uint32_t>;
 
-// The balls of the diagram: the visible ones, and those that are tangent inside them, which can be as near at one place.
-// A ball that is equal to one of these has it as its twin.
+// The balls of the diagram: the visible ones, and those that are tangent inside them, which can be as near at one
+// place. More balls do not change d. Of equal ones the others are twins of the first.
 struct Sites {
   explicit Sites(const BallSet& balls) : ids(balls.visible()) {
     std::map<RationalPoint, std::uint32_t> inside;  // the largest at each centre
@@ -77,6 +77,7 @@ class Components {
     std::vector<BallCavity> made;
     for (auto& [root, cavity] : cavities_) {
       std::ranges::sort(cavity.atoms);
+      cavity.atoms.erase(std::ranges::unique(cavity.atoms).begin(), cavity.atoms.end());
       made.push_back(std::move(cavity));
     }
     std::ranges::sort(made, {}, &BallCavity::atoms);
@@ -95,76 +96,45 @@ class Components {
     for (std::uint32_t cell = 0; cell < outside_; ++cell) {
       for (const std::uint32_t id : slice_.tetrahedra[cell]) stars[id].push_back(cell);
     }
-    for (const auto& [id, star] : stars) add_atom(id, {id}, star);
-    // A ball that is no corner has no cell, or that of the simplex that has its centre inside.
-    for (const auto& [id, cell] : slice_.others) {
-      if (lead_sign(slice_.tetrahedra[cell], id) != 0) continue;
-      const Ids simplex = simplex_around(id, slice_.tetrahedra[cell]);
-      Ids star = stars.at(simplex[0]);
-      std::erase_if(star, [&](std::uint32_t each) { return !has(each, simplex); });
-      add_atom(id, simplex, star);
-    }
-  }
-
-  // To the cavities that have a vertex of the simplex's face of the diagram, if the power is 0 or less on that face.
-  void add_atom(std::uint32_t id, const Ids& simplex, const Ids& star) {
-    std::set<std::uint32_t> roots;
-    for (const std::uint32_t cell : star) {
-      if (is_in_cavity(cell)) roots.insert(sets_.find(cell));
-    }
-    if (roots.empty() || !is_touched(simplex, star)) return;
-    for (const std::uint32_t root : roots) {
-      Ids& atoms = cavities_[root].atoms;
-      atoms.push_back(id);
-      if (const auto twins = sites_.twins.find(id); twins != sites_.twins.end()) {
-        atoms.insert(atoms.end(), twins->second.begin(), twins->second.end());
+    for (const auto& [id, star] : stars) {
+      std::set<std::uint32_t> roots;
+      for (const std::uint32_t cell : star) {
+        if (is_in_cavity(cell)) roots.insert(sets_.find(cell));
+      }
+      if (roots.empty() || !is_in_its_cell(id, star)) continue;
+      for (const std::uint32_t root : roots) {
+        Ids& atoms = cavities_[root].atoms;
+        atoms.push_back(id);
+        if (const auto twins = sites_.twins.find(id); twins != sites_.twins.end()) {
+          atoms.insert(atoms.end(), twins->second.begin(), twins->second.end());
+        }
       }
     }
   }
 
-  // The power is least on the face at the foot of a simplex around this one: the point that is equally far from that
-  // one's balls, in its plane. It is on the face iff no ball around is nearer there.
-  [[nodiscard]] bool is_touched(const Ids& simplex, const Ids& star) const {
+  // Whether the power is 0 or less somewhere in a ball's cell. It is least at the foot of a simplex with the ball: the
+  // point of these centres' plane that is equally far from their balls. That is in the cell iff no ball around is nearer.
+  [[nodiscard]] bool is_in_its_cell(std::uint32_t id, const Ids& star) const {
     if (std::ranges::any_of(star, [&](std::uint32_t cell) { return signs_[cell] <= 0; })) return true;
     std::set<std::uint32_t> around;
-    std::set<Ids> faces;
+    std::set<Ids> simplices;
     for (const std::uint32_t cell : star) {
       const BallSlice::Corners& corners = slice_.tetrahedra[cell];
       around.insert(corners.begin(), corners.end());
       for (unsigned some = 1; some < 15; ++some) {
-        Ids face;
+        Ids simplex;
         for (std::size_t k = 0; k < 4; ++k) {
-          if ((some >> k & 1) != 0) face.push_back(corners[k]);
+          if ((some >> k & 1) != 0) simplex.push_back(corners[k]);
         }
-        std::ranges::sort(face);
-        if (std::ranges::includes(face, simplex)) faces.insert(std::move(face));
+        std::ranges::sort(simplex);
+        if (std::ranges::binary_search(simplex, id)) simplices.insert(std::move(simplex));
       }
     }
-    return std::ranges::any_of(faces, [&](const Ids& face) {
-      return power_sign(face) <= 0 && std::ranges::none_of(around, [&](std::uint32_t id) {
-               return !std::ranges::binary_search(face, id) && lead_sign(face, id) < 0;
+    return std::ranges::any_of(simplices, [&](const Ids& simplex) {
+      return power_sign(simplex) <= 0 && std::ranges::none_of(around, [&](std::uint32_t other) {
+               return !std::ranges::binary_search(simplex, other) && lead_sign(simplex, other) < 0;
              });
     });
-  }
-
-  [[nodiscard]] bool has(std::uint32_t cell, const Ids& simplex) const {
-    return std::ranges::all_of(simplex, [&](std::uint32_t id) {
-      return std::ranges::find(slice_.tetrahedra[cell], id) != slice_.tetrahedra[cell].end();
-    });
-  }
-
-  // The corners, ascending, of the tetrahedron's face that has the ball's centre inside.
-  [[nodiscard]] Ids simplex_around(std::uint32_t id, const BallSlice::Corners& corners) const {
-    const auto centre = [&](std::uint32_t of) { return number_ball<Rational>(balls_, of).centre; };
-    Ids simplex;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const Vector3<Rational> p = centre(corners[(k + 1) % 4]), to_id = centre(id) - p;
-      if (dot(to_id, cross(centre(corners[(k + 2) % 4]) - p, centre(corners[(k + 3) % 4]) - p)) != 0) {
-        simplex.push_back(corners[k]);
-      }
-    }
-    std::ranges::sort(simplex);
-    return simplex;
   }
 
   // ---- Signs ----

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "geometry/floating_point.h"
@@ -47,17 +46,6 @@ void triangulate_with(std::span<const std::uint32_t> ids, const auto& site_of, B
     }
     made.tetrahedra.push_back(corners);
     made.adjacent.push_back(behind);
-  }
-  if (regular.number_of_vertices() == sites.size()) return;
-  // CGAL keeps such points in the cell that has them, but not their ids.
-  std::map<typename Kernel::Point_3, std::uint32_t> id_at;
-  for (const auto& [site, id] : sites) id_at.emplace(site.point(), id);
-  for (const auto cell : regular.all_cell_handles()) {
-    const bool is_infinite = regular.is_infinite(cell);
-    const auto inside = is_infinite ? cell->neighbor(cell->index(regular.infinite_vertex())) : cell;
-    for (auto site = cell->hidden_points_begin(); site != cell->hidden_points_end(); ++site) {
-      made.others.emplace_back(id_at.at(site->point()), inside->info());
-    }
   }
 }
 

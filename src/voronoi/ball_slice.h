@@ -1,14 +1,14 @@
 // The power diagram of balls that are all grown by one probe radius: a regular triangulation of space.
 //
-// Guarantees: exact. It is one of several where balls are equally far. Balls whose cells are empty are no corners, and
-// nor are some whose cells are no more than a face of others'.
+// Guarantees: exact. It is one of several where balls are equally far. A ball is a corner iff its cell is not empty,
+// also where that is a face of others' cells: CGAL perturbs weights, and so that a ball with its centre between others
+// keeps its own.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "flowcert/ball_set.h"
@@ -21,12 +21,9 @@ struct BallSlice {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   using Corners = std::array<std::uint32_t, 4>;
 
-  // Of balls with different centres.
   BallSlice(const BallSet& balls, std::span<const std::uint32_t> ids, const Rational& probe);
 
   std::vector<Corners> tetrahedra, adjacent;
-  // The balls that are no corners, each with the number of a tetrahedron that has its centre.
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> others;
 };
 
 }  // namespace flowcert
