@@ -1,6 +1,6 @@
 // The components of {d >= s} are those of a graph: the vertices of the power diagram where the power is not negative,
 // and the edges along which it never is. A ball lines those that have a vertex of its cell, if its power is 0 or less
-// somewhere in the cell (theorem of FC-BALL-07).
+// somewhere in the cell (theorem of FC-BALL-07): in the part of a cell that is in a cavity, power is greatest at a vertex.
 #include "flowcert/ball_cavities.h"
 
 #include <algorithm>
