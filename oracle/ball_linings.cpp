@@ -1,6 +1,6 @@
-// The places with d = s on the sphere of a ball are what circles leave of it, where others' balls cut it. Each connected
-// part of them is the whole sphere, or has a whole circle, or a place where two circles meet: two places of each three
-// spheres, one of each two and one of each are enough. A part lies in one component of {d >= s}.
+// The places with d = s on the sphere of a ball are what is left of it where others' balls cut it, along circles. Each
+// connected part of them is the whole sphere, or has a whole circle, or a place where two circles meet. So the places
+// of each three spheres, and any of each two and of each one, are enough. A part lies in one component of {d >= s}.
 #include "oracle/ball_linings.h"
 
 #include <algorithm>
@@ -41,17 +41,21 @@ std::vector<Places> cavity_linings(const std::vector<Ball>& balls, const Pores& 
     const Rational low = rational_power(simplex->simplex[0], foot, probe);
     if (low > 0) return;
     const Point normal = normal_of(edges_of(centres(simplex->simplex)));
-    const Quadratic height(0, 1, -low / dot(normal, normal));
+    const Rational squared_height = -low / dot(normal, normal);
+    std::vector<Quadratic> powers;  // |foot + h n - p|^2 - (r + s)^2, where |h n|^2 is -low
+    for (const Ball& ball : balls) {
+      const Rational along = 2 * dot(minus(foot, ball.centre), normal);
+      powers.emplace_back(rational_power(ball, foot, probe) - low, along, squared_height);
+    }
     for (const int side : {1, -1}) {
-      Start start{foot, height, scaled(normal, side), {}};
-      int sign = 0;
-      for (std::size_t ball = 0; ball < balls.size() && sign >= 0; ++ball) {
-        // |foot + h n - p|^2 - (r + s)^2, where |h n|^2 is -low.
-        const Rational along = 2 * dot(minus(foot, balls[ball].centre), start.direction);
-        sign = Quadratic(rational_power(balls[ball], foot, probe) - low, along, height.d).sign();
+      Start start{foot, Quadratic(0, 1, squared_height), scaled(normal, side), {}};
+      bool is_free = true;
+      for (std::size_t ball = 0; ball < balls.size() && is_free; ++ball) {
+        const int sign = Quadratic(powers[ball].a, side * powers[ball].b, squared_height).sign();
+        is_free = sign >= 0;
         if (sign == 0) start.contacts.push_back(ball);
       }
-      if (sign >= 0) starts.push_back(start);
+      if (is_free) starts.push_back(start);
     }
   });
   const std::vector<std::optional<Ends>> ends = ends_from(balls, found.points, starts, probe);

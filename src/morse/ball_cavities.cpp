@@ -1,6 +1,7 @@
 // The components of {d >= s} are those of a graph: the vertices of the power diagram where the power is not negative,
 // and the edges along which it never is. A ball lines those that have a vertex of its cell, if its power is 0 or less
-// somewhere in the cell (theorem of FC-BALL-07): in the part of a cell that is in a cavity, power is greatest at a vertex.
+// somewhere in the cell (theorem of FC-BALL-07). Where a cavity has a part of a cell, it has a vertex of it: power is
+// convex.
 #include "flowcert/ball_cavities.h"
 
 #include <algorithm>
@@ -113,7 +114,8 @@ class Components {
   }
 
   // Whether the power is 0 or less somewhere in a ball's cell. It is least at the foot of a simplex with the ball: the
-  // point of these centres' plane that is equally far from their balls. That is in the cell iff no ball around is nearer.
+  // point of these centres' plane that is equally far from their balls. That is in the cell iff no ball around is
+  // nearer.
   [[nodiscard]] bool is_in_its_cell(std::uint32_t id, const Ids& star) const {
     if (std::ranges::any_of(star, [&](std::uint32_t cell) { return signs_[cell] <= 0; })) return true;
     std::set<std::uint32_t> around;

@@ -1,8 +1,8 @@
 // The cavities between balls for one probe, from one triangulation of space, without critical points.
 //
 // Guarantees: exact. Cavities are the bounded components of the places of a probe's centre where it overlaps no ball;
-// to touch is allowed. A ball lines a cavity iff it is as near as the probe's radius to some place of it, and no ball is
-// nearer to that place. Source: spec clause FC-BALL-07.
+// to touch is allowed. The balls that line a cavity are those that the probe touches at some place of it. Source: spec
+// clause FC-BALL-07.
 #pragma once
 
 #include <cstdint>
