@@ -23,7 +23,6 @@ namespace {
 
 using Position = std::array<double, 3>;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // More than what doubles near two equal numbers differ by: as a part of them, and of small ones.
 constexpr double kMore = 1e-14, kTiny = std::numeric_limits<double>::min();
 
@@ -105,7 +104,7 @@ class PoreJudge {
     }
     for (std::size_t place = 0; place < truth_.size(); ++place) {
       const TruePore& truth = truth_[place];
-      made_.truth.at(place_of(truth.kind)) += truth.diameter ? 1 : 0;
+      ++made_.truth.at(place_of(truth.kind));
       if (truth.kind > PoreKind::kWindow || matching.of_truth[place]) continue;
       ++made_.left_out.at(place_of(truth.kind));
       if (claim_.is_whole) report({.kind = truth.kind}, "missing", text_of(truth), "You missed it. This is a bug.");
@@ -292,10 +291,11 @@ class PoreJudge {
       return fmt::format("{}, diameter {}", text_of(point), length_text(2 * values()[point]));
     }
     const Position x = doubles(*place.position);
-    double room = kInfinity, away = kInfinity;
-    for (std::size_t ball = 0; ball < pores_.balls().size(); ++ball) {
-      const Ball& each = pores_.balls()[ball];
-      room = std::min(room, distance(x, doubles(each.centre)) - nearest_or_infinity(each.radius));
+    double room = std::numeric_limits<double>::infinity(), away = room;
+    const double scale = nearest_or_infinity(pores_.balls().scale());
+    for (const std::uint32_t ball : pores_.balls().visible()) {
+      const auto& [cx, cy, cz, radius] = pores_.balls().rounded(ball);
+      room = std::min(room, distance(x, {cx / scale, cy / scale, cz / scale}) - radius / scale);
     }
     const TruePore* nearest = nullptr;
     for (const std::size_t number : of_kind_.at(place_of(claimed.kind)).places) {

@@ -181,9 +181,11 @@ void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
           "lines; or, with --radii, diameters of pores, likewise; also as .gz; - for standard input")
       ->required();
   command
-      ->add_option("--claim-format", options->claim_format,
-                   "pers: the claim is a persistence diagram; lines of four columns are known as one by this or by the "
-                   "ending .pers. pores: it has diameters of the room between balls")
+      ->add_option(
+          "--claim-format", options->claim_format,
+          "pers: the claim is a persistence diagram; lines of four columns are known as one by this or by the "
+          "ending .pers. pores: it has diameters of the room between balls; with them --tolerance is 1e-6 if it "
+          "is not said")
       ->check(CLI::IsMember({"pers", "pores"}));
   add_radii_options(*command, *options, false);
   command->add_flag("--json", options->json, "Print one JSON object");
@@ -206,7 +208,8 @@ void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
       "Examples:\n  flowcert check bunny.obj claim.jsonl\n  flowcert check bunny.obj claim.csv --tolerance "
       "1e-6 "
       "--junit report.xml\n  flowcert check bunny.obj saddles.csv --indices 1,2,3\n  flowcert persistence "
-      "bunny.obj -o d.pers; flowcert check bunny.obj d.pers\n  flowcert check bunny.obj bunny.json");
+      "bunny.obj -o d.pers; flowcert check bunny.obj d.pers\n  flowcert check bunny.obj bunny.json\n"
+      "  flowcert check cage.xyz diameters.txt --claim-format pores --radii bondi");
   command->callback([command, options, oracle, &status] {
     options->has_tolerance = command->count("--tolerance") > 0;
     status = check_claim(*options, oracle);

@@ -81,7 +81,7 @@ TEST(CheckPores, SaysWhatIsWrongAndWhy) {
 
 TEST(CheckPores, JudgesWhatPoresWrites) {
   CITES("FC-CLAIM-26", "FC-FILE-56", "FC-FILE-58");
-  // Depth 0 has chambers whose depth no double can show.
+  // There is no chamber of depth 1.
   for (const char* depth : {"0", "0.5", "1"}) {
     const std::string text = flowcert({"pores", kCage, "--radii", "bondi", "--depth", depth, "--json"}).out;
     const Finished own = check(text);
