@@ -3,12 +3,12 @@
     tangent_balls.py FLOWCERT FOLDER [--seed 1] [--only NAME] [--record FILE]
     tangent_balls.py --self-test
 
-voronota lists the vertices of the Voronoi diagram of balls: quadruples with the ball that is tangent to them. A critical
-point of index 3 (FC-BALL-03) is one of these, and its contacts have the quadruple. `pores --depth 0 --json` tells all
-critical points of index 3, as peaks of chambers. Asked is, for each set of balls: which of ours are vertices of
-voronota within TOLERANCE, which are not, and which of its vertices inside of their own tetrahedra are not ours.
-Whatever differs is looked at in fractions, straight from the definition. Exit status 1 if something is not explained
-so. FLOWCERT_BENCH_DATA may name a folder with a protein, protein_1mvm.xyz. Standard output is Markdown.
+voronota lists the vertices of the Voronoi diagram of balls: quadruples with the ball that is tangent to them. A
+critical point of index 3 (FC-BALL-03) is one of these, and its contacts have the quadruple. `pores --depth 0 --json`
+tells all critical points of index 3, as peaks of chambers. Asked is, for each set of balls: which of ours are vertices
+of voronota within TOLERANCE, and which of its vertices inside of their own tetrahedra are not ours.
+What differs is looked at straight from the definition. Exit status 1 if that does not explain it.
+FLOWCERT_BENCH_DATA may name a folder with a protein, protein_1mvm.xyz. Standard output is Markdown.
 """
 
 import json
@@ -115,10 +115,7 @@ def exact(ball):
 
 
 def overlap(balls, ids, place):
-    """By how much a ball enters the one around a place that touches those of these ids, in doubles; and how many touch.
-
-    Places are near true ones by 1e-6 at best, so that doubles are enough.
-    """
+    """By how much a ball enters the one around a place that touches those of these ids, and how many touch it."""
     room = [math.dist(place, ball[:3]) - ball[3] for ball in balls]
     touched = max(room[i] for i in ids)
     return touched - min(room), sum(abs(r - touched) <= TOLERANCE for r in room)
