@@ -35,12 +35,9 @@ struct TruePore {
   std::vector<Position> positions;          // of these
 };
 
-double near(const ClaimedForms& forms) { return forms.empty() ? -1 : nearest_or_infinity(forms[0].value); }
-template <typename Coordinates>
-Position doubles(const Coordinates& x) {
+Position doubles(const std::array<QuadraticNumber, 3>& x) {
   return {nearest_or_infinity(x[0]), nearest_or_infinity(x[1]), nearest_or_infinity(x[2])};
 }
-Position doubles(const std::array<ClaimedForms, 3>& x) { return {near(x[0]), near(x[1]), near(x[2])}; }
 double distance(const Position& x, const Position& y) { return std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]); }
 
 std::string length_text(double length) { return fmt::format("{:.10g}", length); }
@@ -82,7 +79,6 @@ class PoreJudge {
     for (std::size_t place = 0; place < truth_.size(); ++place) {
       of_kind_.at(place_of(truth_[place].kind)).places.push_back(place);
     }
-    for (const ClaimedPore& claimed : claim.pores) near_.push_back(near(claimed.diameter));
   }
 
   PoreJudgement result() {
@@ -91,7 +87,7 @@ class PoreJudge {
       candidates.push_back(claimed.is_greatest ? nullptr : &of_kind_.at(place_of(claimed.kind)));
     }
     const Matching matching = maximum_matching(candidates, truth_.size(), [this](std::size_t k, std::size_t place) {
-      return has_diameter(k, truth_[place]) && is_there(claim_.pores[k], truth_[place]);
+      return has_diameter(claim_.pores[k], truth_[place]) && is_there(claim_.pores[k], truth_[place]);
     });
     for (std::size_t k = 0; k < claim_.pores.size(); ++k) {
       const ClaimedPore& claimed = claim_.pores[k];
@@ -100,7 +96,7 @@ class PoreJudge {
         ++made_.claimed.at(place_of(claimed.kind));
         made_.is_exact = made_.is_exact && (has_exact || claimed.diameter.empty());
       }
-      if (!matching.of_claimed[k]) explain(k);
+      if (!matching.of_claimed[k]) explain(claimed);
     }
     for (std::size_t place = 0; place < truth_.size(); ++place) {
       const TruePore& truth = truth_[place];
@@ -132,31 +128,30 @@ class PoreJudge {
     return truth.diameter ? QuadraticNumber(part_) * *truth.diameter : QuadraticNumber();
   }
 
-  [[nodiscard]] bool has_diameter(std::size_t k, const TruePore& truth) const {
-    const ClaimedForms& claimed = claim_.pores[k].diameter;
-    if (claimed.empty() || !truth.diameter) return claimed.empty() && !truth.diameter;
-    const double off = std::abs(near_[k] - truth.near);
+  [[nodiscard]] bool has_diameter(const ClaimedPore& claimed, const TruePore& truth) const {
+    if (claimed.diameter.empty() || !truth.diameter) return claimed.diameter.empty() && !truth.diameter;
+    const double off = std::abs(claimed.near - truth.near);
     if (std::isfinite(off) && off > 2 * (tolerance_ + kMore) * truth.near + kTiny) return false;
-    return is_right(claimed, *truth.diameter, allowance(truth));
+    return is_right(claimed.diameter, *truth.diameter, allowance(truth));
   }
 
   [[nodiscard]] bool is_there(const ClaimedPore& claimed, const TruePore& truth) const {
     return std::ranges::all_of(claimed.places, [&](const ClaimedPorePlace& place) {
       for (std::size_t at = 0; at < truth.points.size(); ++at) {
         if (!std::ranges::includes(pores_.points()[truth.points[at]].contacts, place.balls)) continue;
-        if (!place.position || is_at(*place.position, truth, at)) return true;
+        if (!place.position || is_at(place, truth, at)) return true;
       }
       return false;
     });
   }
-  [[nodiscard]] bool is_at(const std::array<ClaimedForms, 3>& claimed, const TruePore& truth, std::size_t at) const {
+  [[nodiscard]] bool is_at(const ClaimedPorePlace& claimed, const TruePore& truth, std::size_t at) const {
     const Position& x = truth.positions[at];
     const double size = std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]) + std::abs(truth.near);
-    const double away = distance(doubles(claimed), x);
+    const double away = distance(claimed.near, x);
     if (std::isfinite(away) && away > 2 * (tolerance_ + kMore) * size + kTiny) return false;
     const auto exact = pores_.position(truth.points[at]);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (!is_right(claimed[axis], exact[axis], allowance(truth))) return false;
+      if (!is_right((*claimed.position)[axis], exact[axis], allowance(truth))) return false;
     }
     return true;
   }
@@ -178,13 +173,13 @@ class PoreJudge {
   // ---- Why it is wrong, in doubles ----
 
   // Of what has no partner; the greatest ones need none.
-  void explain(std::size_t k) {
-    ClaimedPore claimed = claim_.pores[k];
+  void explain(ClaimedPore claimed) {
     std::vector<const TruePore*> meant = meant_by(claimed);
     const auto say = [&](const char* reason, const std::string& truth, const char* sentence) {
       report(claimed, reason, truth, sentence);
     };
-    const bool is_there_so = std::ranges::any_of(meant, [&](const TruePore* one) { return has_diameter(k, *one); });
+    const bool is_there_so =
+        std::ranges::any_of(meant, [&](const TruePore* one) { return has_diameter(claimed, *one); });
     if (claimed.is_greatest && (is_there_so || (meant.empty() && claimed.diameter.empty()))) return;
     if (is_there_so)
       return say("claimed-twice", "it is there, but not so often", "You claim it too often. This is a bug.");
@@ -196,34 +191,36 @@ class PoreJudge {
       return say("wrong-diameter", meant.empty() ? "there is none, or it is below 0" : "it is " + text_of(*meant[0]),
                  "What is there is said not to be, or the reverse. This is a bug.");
     }
-    const TruePore& nearest =
-        **std::ranges::min_element(meant, {}, [&](const TruePore* truth) { return std::abs(truth->near - near_[k]); });
+    const TruePore& nearest = **std::ranges::min_element(
+        meant, {}, [&](const TruePore* truth) { return std::abs(truth->near - claimed.near); });
     const ClaimedRoot& wrong = *wrong_form(claimed.diameter, *nearest.diameter, allowance(nearest));
     const double value = nearest_or_infinity(wrong.value), digit = half_digit(wrong);
     if (&wrong != claimed.diameter.data()) claimed.diameter = {wrong};
-    const auto is_near = [&](double a, double truth) {
-      return std::abs(a - truth) <= std::max(digit, std::max(tolerance_, kMore) * truth);
+    // A few digits fit to much.
+    const auto is_near = [&](double a, double truth, double most) {
+      return std::abs(a - truth) <= std::max(std::min(digit, most * truth), std::max(tolerance_, kMore) * truth);
     };
+    constexpr double kAny = 1, kFew = 1e-4;
     const std::string right =
         fmt::format("the {}{} is {}, {}", meant.size() > 1 ? "nearest " : "", word_of(claimed.kind),
                     length_text(nearest.near), difference_text(nearest.near - value));
-    if (is_near(value, nearest.near)) {
+    if (is_near(value, nearest.near, kAny)) {
       return say("rounding", right,
                  "It is right but for rounding, and --tolerance can allow that. This is a convention.");
     }
     for (const TruePore* truth : meant) {
-      if (is_near(2 * value, truth->near)) {
+      if (is_near(2 * value, truth->near, kFew)) {
         return say("radius", "it is half of " + text_of(*truth), "It is a radius. This is a convention.");
       }
       for (const std::uint32_t ball : contacts(*truth)) {
         const double radius = nearest_or_infinity(pores_.balls()[ball].radius);
-        if (!is_near(value - 2 * radius, truth->near)) continue;
+        if (!is_near(value - 2 * radius, truth->near, kFew)) continue;
         return say("to-centres",
                    fmt::format("less by twice the radius {} it is {}", length_text(radius), text_of(*truth)),
                    "It is measured to centres of atoms, not to surfaces. This is a convention.");
       }
     }
-    const auto other = std::ranges::find_if(values(), [&](double of) { return is_near(value, 2 * of); });
+    const auto other = std::ranges::find_if(values(), [&](double of) { return is_near(value, 2 * of, kFew); });
     if (claimed.places.empty() && other != values_.end()) {
       const auto point = static_cast<std::uint32_t>(other - values_.begin());
       return say("wrong-kind", "it is that of " + text_of(point) + "; " + right,
@@ -254,7 +251,7 @@ class PoreJudge {
     }
     if (claimed.places.empty()) return text;
     const ClaimedPorePlace& place = claimed.places[0];
-    if (place.position) text += fmt::format(" at {:.10g}", fmt::join(doubles(*place.position), " "));
+    if (place.position) text += fmt::format(" at {:.10g}", fmt::join(place.near, " "));
     return place.balls.empty() ? text : text + ", atoms " + names_text(place.balls);
   }
   [[nodiscard]] std::string text_of(const TruePore& truth) const {
@@ -290,7 +287,7 @@ class PoreJudge {
       const auto point = static_cast<std::uint32_t>(found - pores_.points().begin());
       return fmt::format("{}, diameter {}", text_of(point), length_text(2 * values()[point]));
     }
-    const Position x = doubles(*place.position);
+    const Position& x = place.near;
     double room = std::numeric_limits<double>::infinity(), away = room;
     const double scale = nearest_or_infinity(pores_.balls().scale());
     for (const std::uint32_t ball : pores_.balls().visible()) {
@@ -320,7 +317,6 @@ class PoreJudge {
   const QuadraticNumber part_;
   std::vector<TruePore> truth_;
   std::array<Candidates, kPoreKinds.size()> of_kind_;  // places in that
-  std::vector<double> near_;                           // by claimed one
   std::vector<double> values_;
   PoreJudgement made_;
 };

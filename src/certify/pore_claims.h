@@ -32,6 +32,7 @@ using ClaimedForms = std::vector<ClaimedRoot>;
 struct ClaimedPorePlace {
   std::vector<PointId> balls;  // ascending, each once
   std::optional<std::array<ClaimedForms, 3>> position;
+  std::array<double, 3> near{};  // the nearest doubles
 };
 
 struct ClaimedPore {
@@ -39,6 +40,7 @@ struct ClaimedPore {
   std::size_t line = 0;                       // of the file, 1-based
   std::string name = {};                      // "chamber 3", in JSON
   ClaimedForms diameter = {};                 // none: it is below 0
+  double near = -1;                           // the nearest double
   std::vector<ClaimedPorePlace> places = {};  // of the window, or of peaks of the chamber
   bool is_greatest = false;                   // of its kind
   bool is_beside = false;                     // chambers tell the same, so that it is no claim of its own

@@ -81,22 +81,32 @@ TEST(CheckPores, SaysWhatIsWrongAndWhy) {
 
 TEST(CheckPores, JudgesWhatPoresWrites) {
   CITES("FC-CLAIM-26", "FC-FILE-56", "FC-FILE-58");
-  // There is no chamber of depth 1.
-  for (const char* depth : {"0", "0.5", "1"}) {
-    const std::string text = flowcert({"pores", kCage, "--radii", "bondi", "--depth", depth, "--json"}).out;
-    const Finished own = check(text);
+  const Scratch scratch;
+  // Four balls of FC-BALL-07, and four whose chamber has no gate, since they overlap all around.
+  const std::string balls = scratch.file("balls.xyz",
+                                         "2 2 2 1\n2 -2 -2 1\n-2 2 -2 1\n-2 -2 2 1\n31 31 31 1.65\n31 29 29 1.65\n"
+                                         "29 31 29 1.65\n29 29 31 1.65\n");
+  const Words radii = {"--radii", "column:4"};
+  const auto judged = [&](const std::string& text, const char* as) {
+    return flowcert({"check", balls, scratch.file("claim.json", text), radii[0], radii[1], as});
+  };
+  for (const char* depth : {"0", "0.1", "1"}) {
+    const std::string text = flowcert({"pores", balls, radii[0], radii[1], "--depth", depth, "--json"}).out;
+    const Finished own = judged(text, "--strict");
     EXPECT_EQ(own.status, 0) << own.out;
     EXPECT_NE(own.out.find("\nconforms to 1.1, pores, exact\n"), std::string::npos) << own.out;
-    if (std::string(depth) != "0.5") continue;
-    auto changed = nlohmann::ordered_json::parse(text);
-    changed["chambers"][0]["exit"]["polynomial"][2] = "-1182714";
-    changed["windows"][3]["center"][0]["double"] = 13.0;
-    changed["pore_limiting_diameter"] = 3.7;
-    const auto json = nlohmann::json::parse(check(changed.dump(), {"--json"}).out);
-    Words reasons;
-    for (const auto& finding : json["findings"]) reasons.push_back(finding["reason"]);
-    EXPECT_EQ(reasons, (Words{"rounding", "wrong-place", "wrong-diameter", "missing"})) << json;
   }
+  auto changed =
+      nlohmann::ordered_json::parse(flowcert({"pores", balls, radii[0], radii[1], "--depth", "0.15", "--json"}).out);
+  ASSERT_EQ(changed["chambers"].size(), 1U);
+  ASSERT_EQ(changed["windows"].size(), 4U);
+  changed["chambers"][0]["exit"]["polynomial"][2] = "-30";
+  changed["windows"][3]["center"][0]["double"] = 13.0;
+  changed["pore_limiting_diameter"] = 3.7;
+  const auto json = nlohmann::json::parse(judged(changed.dump(), "--json").out);
+  Words reasons;
+  for (const auto& finding : json["findings"]) reasons.push_back(finding["reason"]);
+  EXPECT_EQ(reasons, (Words{"wrong-diameter", "wrong-place", "wrong-diameter", "missing"})) << json;
 }
 
 TEST(CheckPores, RefusesWhatItCannotJudge) {

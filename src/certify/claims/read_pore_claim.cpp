@@ -60,7 +60,11 @@ ClaimedPorePlace place_of(const ExchangeValue& value) {
   if (const auto contact = value.find("contact")) place.balls = contact_of(*contact);
   if (const auto center = value.find("center")) {
     center->expect_size(3);
-    place.position = {forms_of((*center)[0], 1), forms_of((*center)[1], 1), forms_of((*center)[2], 1)};
+    place.position.emplace();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      (*place.position)[axis] = forms_of((*center)[axis], 1);
+      if ((*place.position)[axis].empty()) center->reject("three coordinates");
+    }
   }
   return place;
 }
@@ -216,7 +220,11 @@ PoreClaim claimed_pores_of(std::string_view bytes, const std::string& name) {
   for (ClaimedPore& pore : claim.pores) {
     // The limiting diameter of no chamber is that of all.
     pore.is_greatest = pore.is_greatest || (pore.kind == PoreKind::kLimiting && pore.places.empty());
+    if (!pore.diameter.empty()) pore.near = nearest_or_infinity(pore.diameter[0].value);
     for (ClaimedPorePlace& place : pore.places) {
+      for (std::size_t axis = 0; place.position && axis < 3; ++axis) {
+        place.near[axis] = nearest_or_infinity((*place.position)[axis][0].value);
+      }
       std::ranges::sort(place.balls);
       place.balls.erase(std::ranges::unique(place.balls).begin(), place.balls.end());
     }
