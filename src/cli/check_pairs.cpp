@@ -129,7 +129,8 @@ void print_check_text(const CheckedFiles& files, const PairReport& report, std::
   table.print();
   for (std::size_t row = 0; row < report.left_out.size(); ++row) {
     if (report.left_out[row] == 0) continue;
-    fmt::print("not claimed, which is not wrong: {}\n", counted(report.left_out[row], kPoreKinds.at(row)));
+    fmt::print("not claimed, which is not wrong: {} of the kind {}\n", with_commas(report.left_out[row]),
+               kPoreKinds.at(row));
   }
   print_verdict(files, report.verdict, report.profile,
                 report.profile.is_exact() ? "" : fmt::format(", tolerance {}", files.check.tolerance));
