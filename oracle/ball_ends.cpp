@@ -28,6 +28,18 @@ struct Facet {
   Point normal;    // outward
 };
 
+}  // namespace
+
+Point normal_of(const std::vector<Point>& edges) {
+  const std::vector<Point> axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  if (edges.empty()) return axes[0];
+  if (edges.size() == 2) return cross(edges[0], edges[1]);
+  const Point first = cross(edges[0], axes[0]);
+  return first == Point{0, 0, 0} ? axes[1] : first;
+}
+
+namespace {
+
 class EndSearch {
  public:
   EndSearch(const std::vector<Ball>& balls, const std::vector<BallPoint>& all)
@@ -36,11 +48,37 @@ class EndSearch {
   // From w in the direction, which is normal to the plane of its contacts.
   Ends ends(const BallPoint& w, const Point& direction) {
     go_to(slide(w.position, w.value, w.contacts[0], direction));
-    for (std::size_t next = 0; next < vertices_.size(); ++next) rise(Vertex(vertices_[next]));
+    return all_ends();
+  }
+
+  // The way along the line is the same from its foot, which is rational.
+  std::optional<Ends> ends_from(const Start& start, const Rational& level) {
+    vertices_.clear();
+    ends_.clear();
+    Vertex at{{}, moved(start.foot, Quadratic(), start.direction), level};
+    std::set_intersection(start.contacts.begin(), start.contacts.end(), visible_.begin(), visible_.end(),
+                          std::back_inserter(at.contacts));
+    if (dimension(at) == 3) {
+      at.position = moved(start.foot, start.height, start.direction);
+      stop(at);
+    } else {
+      for (const std::size_t ball : at.contacts) {
+        if (dot(minus(centre(ball), centre(at.contacts[0])), start.direction) != 0) return std::nullopt;
+      }
+      go_to(slide_into_space(at, start.direction));
+    }
+    all_ends();
+    // One end is that of all ways.
+    for (std::size_t k = 0; k < vertices_.size() && ends_.size() == 1; ++k) known_.emplace_back(vertices_[k], ends_);
     return ends_;
   }
 
  private:
+  Ends all_ends() {
+    for (std::size_t next = 0; next < vertices_.size(); ++next) rise(Vertex(vertices_[next]));
+    return ends_;
+  }
+
   // ---- The diagram ----
 
   const Point& centre(std::size_t ball) const { return balls_[ball].centre; }
@@ -58,19 +96,44 @@ class EndSearch {
     return result;
   }
 
+  int dimension(const Vertex& at) const { return affine_dimension(centres(select(balls_, at.contacts))); }
+
+  // Orthogonal to the contacts' hull, which has dimension 1 or 2. The place is rational.
+  Point away_from_contacts(const Vertex& at) const {
+    const std::vector<Point> edges = edges_of(spanning_subset(centres(select(balls_, at.contacts))));
+    const Point& corner = centre(at.contacts[0]);
+    const Point way = minus(Point{at.position[0].a, at.position[1].a, at.position[2].a}, corner);
+    if (edges.size() == 2) {
+      const Point normal = cross(edges[0], edges[1]);
+      return dot(way, normal) < 0 ? scaled(normal, -1) : normal;
+    }
+    const Point away = moved(way, -dot(way, edges[0]) / dot(edges[0], edges[0]), edges[0]);
+    return away != Point{0, 0, 0} ? away : normal_of(edges);
+  }
+
   // From x, to which no ball is nearer than `near`, to the first point where a ball that lies farther ahead is as near.
   // Nothing if there is none. At x + y n the power of q less that of p is less than at x by 2 y <q - p, n>.
   std::optional<Vertex> slide(const QuadraticPoint& x, const Quadratic& level, std::size_t near,
                               const Point& direction) const {
     std::optional<Quadratic> first;
+    const Quadratic here = power(balls_[near], x, level);
     for (const std::size_t ball : visible_) {
       const Rational ahead = dot(minus(centre(ball), centre(near)), direction);
       if (ahead <= 0) continue;
-      const Quadratic meeting = (power(balls_[ball], x, level) - power(balls_[near], x, level)) / (2 * ahead);
+      const Quadratic meeting = (power(balls_[ball], x, level) - here) / (2 * ahead);
       if (!first || meeting < *first) first = meeting;
     }
     if (!first) return std::nullopt;
     return vertex(moved(x, *first, direction), level);
+  }
+
+  std::optional<Vertex> slide_into_space(Vertex at, Point direction) const {
+    while (const auto next = slide(at.position, at.level, at.contacts[0], direction)) {
+      if (dimension(*next) == 3) return next;
+      at = *next;
+      direction = away_from_contacts(at);
+    }
+    return std::nullopt;
   }
 
   // ---- Rise: along edges of the diagram in four dimensions, to higher levels ----
@@ -207,6 +270,11 @@ class EndSearch {
   // Without a vertex the way goes on without end.
   void go_to(const std::optional<Vertex>& next) {
     if (!next) ends_.insert(all_.size());
+    const auto known = std::find_if(known_.begin(), known_.end(), [&](const auto& each) { return next == each.first; });
+    if (known != known_.end()) {
+      ends_.insert(known->second.begin(), known->second.end());
+      return;
+    }
     if (next && std::find(vertices_.begin(), vertices_.end(), *next) == vertices_.end()) vertices_.push_back(*next);
   }
 
@@ -215,9 +283,18 @@ class EndSearch {
   Places visible_;
   std::vector<Vertex> vertices_;  // all that ways have come to, with positive power
   Ends ends_;
+  std::vector<std::pair<Vertex, Ends>> known_;
 };
 
 }  // namespace
+
+std::vector<std::optional<Ends>> ends_from(const std::vector<Ball>& balls, const std::vector<BallPoint>& all,
+                                           const std::vector<Start>& starts, const Rational& s) {
+  EndSearch search(balls, all);
+  std::vector<std::optional<Ends>> ends;
+  for (const Start& start : starts) ends.push_back(search.ends_from(start, s));
+  return ends;
+}
 
 std::array<Ends, 2> ends_of(const std::vector<Ball>& balls, const std::vector<BallPoint>& all, const BallPoint& w) {
   const std::vector<Point> plane = spanning_subset(centres(select(balls, w.contacts)));

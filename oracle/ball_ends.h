@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <set>
 
 #include "oracle/balls.h"
@@ -19,5 +20,21 @@ using Ends = std::set<std::size_t>;
 
 // At the two sides of the index-2 point. `all` are the critical points of the balls.
 std::array<Ends, 2> ends_of(const std::vector<Ball>& balls, const std::vector<BallPoint>& all, const BallPoint& w);
+
+// Orthogonal to the edges, of which there are two at most, and independent.
+Point normal_of(const std::vector<Point>& edges);
+
+// A place foot + height * direction that these balls touch, and no others, when they have grown by s. The direction is
+// orthogonal to the hull of the visible ones, and does not lead nearer to it; where this hull has dimension 3 it means
+// nothing.
+struct Start {
+  Point foot;
+  Quadratic height;
+  Point direction;
+  Places contacts;
+};
+// Nothing for a start with another direction.
+std::vector<std::optional<Ends>> ends_from(const std::vector<Ball>& balls, const std::vector<BallPoint>& all,
+                                           const std::vector<Start>& starts, const Rational& s);
 
 }  // namespace oracle

@@ -45,6 +45,42 @@ struct Candidate {
   std::vector<Point> span;
 };
 
+// At most one point in the hull of its contacts has these contacts, for the reason at touching_inside(). The simplices
+// that it is inside of span the face of the hull that it is inside of (face_dimension in exact_geometry.cpp). So it is
+// in the relative interior iff they span as much as the contacts do. A critical point is inside of one simplex at
+// least.
+class Search {
+ public:
+  explicit Search(const std::vector<Ball>& balls) : balls_(balls) {}
+
+  void see(const Places& subset) {
+    const std::vector<Ball> simplex = select(balls_, subset);
+    const auto touching = touching_inside(simplex);
+    if (!touching || touching->s.sign() < 0) return;
+    const auto contact = contacts(balls_, *touching);
+    if (!contact) return;
+    Candidate& candidate = candidates_.try_emplace(*contact, Candidate{*touching, {}}).first->second;
+    for (const Ball& ball : simplex) candidate.span.push_back(ball.centre);
+    candidate.span = spanning_subset(candidate.span);
+  }
+
+  std::vector<BallPoint> points() const {
+    std::vector<BallPoint> points;
+    for (const auto& [contact, candidate] : candidates_) {
+      const int index = affine_dimension(centres(select(balls_, contact)));
+      if (affine_dimension(candidate.span) != index) continue;
+      points.push_back({index, contact, candidate.touching.s, candidate.touching.position});
+    }
+    std::stable_sort(points.begin(), points.end(),
+                     [](const BallPoint& one, const BallPoint& other) { return one.value > other.value; });
+    return points;
+  }
+
+ private:
+  const std::vector<Ball>& balls_;
+  std::map<Places, Candidate> candidates_;
+};
+
 }  // namespace
 
 // Two different balls are not inside of each other.
@@ -110,30 +146,16 @@ std::optional<Touching> touching_inside(const std::vector<Ball>& simplex) {
   return std::nullopt;
 }
 
-// At most one point in the hull of its contacts has these contacts, for the reason above. The simplices that it is
-// inside of span the face of the hull that it is inside of (face_dimension in exact_geometry.cpp). So it is in the
-// relative interior iff they span as much as the contacts do. A critical point is inside of one simplex at least.
 std::vector<BallPoint> critical_points(const std::vector<Ball>& balls) {
-  std::map<Places, Candidate> candidates;
-  for_each_subset(balls.size(), 4, [&](const Places& subset) {
-    const std::vector<Ball> simplex = select(balls, subset);
-    const auto touching = touching_inside(simplex);
-    if (!touching || touching->s.sign() < 0) return;
-    const auto contact = contacts(balls, *touching);
-    if (!contact) return;
-    Candidate& candidate = candidates.try_emplace(*contact, Candidate{*touching, {}}).first->second;
-    for (const Ball& ball : simplex) candidate.span.push_back(ball.centre);
-    candidate.span = spanning_subset(candidate.span);
-  });
-  std::vector<BallPoint> points;
-  for (const auto& [contact, candidate] : candidates) {
-    const int index = affine_dimension(centres(select(balls, contact)));
-    if (affine_dimension(candidate.span) != index) continue;
-    points.push_back({index, contact, candidate.touching.s, candidate.touching.position});
-  }
-  std::stable_sort(points.begin(), points.end(),
-                   [](const BallPoint& one, const BallPoint& other) { return one.value > other.value; });
-  return points;
+  Search search(balls);
+  for_each_subset(balls.size(), 4, [&](const Places& subset) { search.see(subset); });
+  return search.points();
+}
+
+std::vector<BallPoint> critical_points(const std::vector<Ball>& balls, const std::set<Places>& subsets) {
+  Search search(balls);
+  for (const Places& subset : subsets) search.see(subset);
+  return search.points();
 }
 
 }  // namespace oracle

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "oracle/point_set.h"
@@ -57,5 +58,8 @@ struct BallPoint {
 
 // The list of points (FC-BALL-03).
 std::vector<BallPoint> critical_points(const std::vector<Ball>& balls);
+// The same, if each point is inside of all simplices of its contacts that are among these subsets alone. It takes time n
+// for each of them.
+std::vector<BallPoint> critical_points(const std::vector<Ball>& balls, const std::set<Places>& subsets);
 
 }  // namespace oracle

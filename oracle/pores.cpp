@@ -179,8 +179,12 @@ std::vector<std::vector<Link>> links_by_value(const Pores& pores) {
 }
 
 Pores pores(const std::vector<Ball>& balls, const Rational& depth) {
+  return pores(balls, critical_points(balls), depth);
+}
+
+Pores pores(const std::vector<Ball>& balls, const std::vector<BallPoint>& points, const Rational& depth) {
   Pores result;
-  result.points = critical_points(balls);
+  result.points = points;
   for (const BallPoint& point : result.points) {
     result.ends.push_back(point.index == 2 ? ends_of(balls, result.points, point) : std::array<Ends, 2>());
   }

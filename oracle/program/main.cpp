@@ -249,23 +249,22 @@ int run_witness(const std::string& input, const std::string& cycles) {
   return are_right ? 0 : kWrong;
 }
 
-int run_pores(const std::string& input, const std::string& depth_text, std::size_t limit) {
-  const oracle::Rational depth = oracle::exact_number(depth_text, "--depth: ");
-  if (depth < 0) throw oracle::UnusableInput("--depth: " + depth_text + " is below 0");
-  const std::vector<oracle::Ball> balls = oracle::read_ball_file(input);
-  if (balls.size() > limit) {
-    throw oracle::UnusableInput(input + ": " + with_commas(balls.size()) +
+oracle::Rational length(const std::string& text, const std::string& option) {
+  const oracle::Rational number = oracle::exact_number(text, option + ": ");
+  if (number < 0) throw oracle::UnusableInput(option + ": " + text + " is below 0");
+  return number;
+}
+
+int run_pores(const std::string& input, const std::string& depth, const std::string& probe, std::size_t limit) {
+  oracle::PoresQuestion asked{{}, length(depth, "--depth"), std::nullopt};
+  if (!probe.empty()) asked.probe = length(probe, "--probe");
+  asked.balls = oracle::read_ball_file(input);
+  if (asked.balls.size() > limit) {
+    throw oracle::UnusableInput(input + ": " + with_commas(asked.balls.size()) +
                                 " balls; the search over all subsets of four takes time n^5 (see --limit)");
   }
   const oracle::WaitingLine line("searching all subsets");
-  oracle::Json object;
-  object["format"] = "oracle-pores";
-  object["format_version"] = 1;
-  object["balls"] = balls.size();
-  object["depth"] = exact_text(depth);
-  object.update(oracle::pores_field(oracle::pores(balls, depth)));
-  object["nerve"] = oracle::cavities_field(oracle::cavities_by_homology(balls));
-  std::cout << object.dump() << '\n';
+  std::cout << oracle::pores_answer(asked).dump() << '\n';
   return 0;
 }
 
@@ -313,7 +312,7 @@ int run(int argc, char** argv) {
   app.footer(
       "Examples:\n  flowcert-oracle stationary cube.xyz\n"
       "  flowcert-oracle certify bunny.xyz bunny.jsonl --sample 200 --seed 1");
-  std::string input, records, from, cycles, depth = "0";
+  std::string input, records, from, cycles, probe, depth = "0";
   bool json = false;
   std::size_t limit = 100, ball_limit = 40;
   std::int64_t sample = 200;
@@ -358,6 +357,7 @@ int run(int argc, char** argv) {
   CLI::App& rooms = *app.add_subcommand("pores", "Chambers between a few balls, with their windows, in JSON");
   rooms.add_option("BALLS", input, "Lines x y z r: decimals or fractions p/q (exact)")->required();
   rooms.add_option("--depth", depth, "List the chambers of this depth or deeper")->capture_default_str();
+  rooms.add_option("--probe", probe, "List the cavities at this probe, too, by the balls that line them");
   rooms.add_option("--limit", ball_limit, "Refuse inputs of more balls")->capture_default_str();
   rooms.footer("Examples:\n  flowcert-oracle pores cage.balls\n  flowcert-oracle pores cage.balls --depth 1/2");
 
@@ -373,7 +373,7 @@ int run(int argc, char** argv) {
     throw oracle::UnusableInput(std::string(error.what()) + " (see --help)");
   }
   if (shown.parsed()) return run_witness(input, cycles);
-  if (rooms.parsed()) return run_pores(input, depth, ball_limit);
+  if (rooms.parsed()) return run_pores(input, depth, probe, ball_limit);
   if (flow.parsed()) return run_orbit(input, from, json);
   return list.parsed() ? run_stationary(input, json, limit)
                        : run_certify(input, records, static_cast<std::size_t>(sample), seed);

@@ -1,6 +1,8 @@
 // Numbers of points and rooms are places in the lists beside them.
 #include "oracle/program/pores_field.h"
 
+#include "oracle/ball_linings.h"
+
 namespace oracle {
 
 namespace {
@@ -87,6 +89,24 @@ Json cavities_field(const std::vector<Cavity>& cavities) {
     field.push_back(shown);
   }
   return field;
+}
+
+Json pores_answer(const PoresQuestion& asked) {
+  const Pores found = pores(asked.balls, asked.depth);
+  Json object;
+  object["format"] = "oracle-pores";
+  object["format_version"] = 1;
+  object["balls"] = asked.balls.size();
+  object["depth"] = asked.depth.str();
+  object.update(pores_field(found));
+  object["nerve"] = cavities_field(cavities_by_homology(asked.balls));
+  if (!asked.probe) return object;
+  object["probe"] = asked.probe->str();
+  object["cavities_at_probe"] = Json::array();
+  for (const Places& lining : cavity_linings(asked.balls, found, *asked.probe)) {
+    object["cavities_at_probe"].push_back(list_field(lining));
+  }
+  return object;
 }
 
 }  // namespace oracle

@@ -351,6 +351,7 @@ bool is_right_value(const ClaimedNumber& claimed, const Rational& truth, const R
 }
 
 std::string sentence_of(const PairDifference& difference) {
+  if (!difference.sentence.empty()) return difference.sentence;
   constexpr const char* kNames[] = {"component", "tunnel", "void"};
   const std::string name = kNames[difference.dimension];
   if (difference.reason == kRounding) {

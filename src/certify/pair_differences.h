@@ -28,6 +28,7 @@ struct PairDifference {
   int dimension = 0;
   bool is_claimed = false, is_true = false;  // which of the lists have one
   std::size_t line = 0;                      // of the claimed pair, as there
+  std::string sentence = {};                 // that of sentence_of, where it does not follow from the reason
 };
 
 // What is wrong, in a plain sentence or two, and whether it is a bug or a convention.

@@ -15,8 +15,8 @@ namespace flowcert {
 namespace {
 
 constexpr std::array<const char*, kProfileParts> kPartNames = {
-    "points",  "U2", "S2",       "polylines", "skeletons", "lambda-lists", "connections",
-    "volumes", "U1", "infinity", "pockets",   "orbits",    "persistence",  "cycles"};
+    "points", "U2",       "S2",      "polylines", "skeletons",   "lambda-lists", "connections", "volumes",
+    "U1",     "infinity", "pockets", "orbits",    "persistence", "cycles",       "pores"};
 
 // A part that is claimed of single points.
 struct PartOfPoints {

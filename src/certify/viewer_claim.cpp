@@ -151,7 +151,7 @@ std::vector<Line> claimed_lines(const PointSet& points, const ClaimedPoint& poin
 class FindingFields {
  public:
   FindingFields(const FlowComplex& complex, const Claim& claim)
-      : complex_(complex), points_(complex.points()), frame_(points_) {
+      : complex_(complex), points_(complex.points()), frame_(points_.points()) {
     for (const ClaimedPoint& point : claim.points) point_at_line_.try_emplace(point.line, &point);
   }
 

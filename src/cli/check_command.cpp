@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "certify/claim_content.h"
+#include "cli/ball_input.h"
 #include "cli/check_pairs.h"
 #include "cli/check_report.h"
 #include "cli/progress.h"
@@ -22,9 +23,10 @@ namespace flowcert::cli {
 
 namespace {
 
-struct CheckCommandOptions : InputOptions {
+struct CheckCommandOptions : BallOptions {
   CheckedFiles files;
-  std::string claim_format;  // "pers", or empty: the content and the ending say it
+  std::string claim_format;  // "pers", "pores", or empty: the content and the ending say it
+  bool has_tolerance = false;
   std::string junit;
   std::size_t most = std::numeric_limits<std::size_t>::max();
   bool json = false;
@@ -48,14 +50,15 @@ class LevelProgress {
   std::optional<ProgressLine> line_;
 };
 
-// A claimed flow complex, a persistence diagram, or cycles.
-using AnyClaim = std::variant<Claim, std::vector<ClaimedPair>, CycleClaim>;
+// A claimed flow complex, a persistence diagram, cycles, or pores.
+using AnyClaim = std::variant<Claim, std::vector<ClaimedPair>, CycleClaim, PoreClaim>;
 
 AnyClaim claim_of(const std::string& path, const std::string& format, bool unlimited) {
   const ProgressLine progress("reading the claim");
   const std::string bytes = io::read_bytes(path);
   std::string decompressed;
   const std::string_view content = io::plain_content(bytes, path, decompressed, unlimited);
+  if (format == "pores" || (format.empty() && is_pore_claim(content, path))) return claimed_pores_of(content, path);
   if (format.empty() && is_cycle_claim(content, path)) return claimed_cycles_of(content, path);
   if (format.empty() && !is_pair_claim(content, path)) return claim_in(content, path, unlimited);
   return claimed_pairs_of(content, path);
@@ -128,12 +131,32 @@ int check_cycles(const CheckCommandOptions& options, const Input& input, const C
   return told(options, files, report, input.points);
 }
 
+int check_pores(CheckCommandOptions options, const PoreClaim& claim) {
+  refuse_levels(options, "of pores");
+  if (options.files.by_oracle) throw InvalidInput("--oracle judges no pores");
+  if (options.radii.empty()) throw InvalidInput("--radii is needed: the claim is of the room between balls");
+  if (!options.has_tolerance) options.files.check.tolerance = kPoreTolerance;
+  const BallInput input = read_ball_input(options);
+  CheckedFiles files = options.files;
+  files.points = input.name;
+  files.claim = display_name(files.claim);
+  files.claim_format = "pores";
+  const PairReport report = [&] {
+    const ProgressLine progress("judging pores");
+    const Pores pores(input.balls, claim.depth, input.threads);
+    return report_of_pores(claim, pores, files.check.tolerance, files.claim);
+  }();
+  return told(options, files, report, PointSet(input.file.file.rows));
+}
+
 int check_claim(CheckCommandOptions options, const OtherTruth& oracle) {
   CheckedFiles& files = options.files;
   if (options.input == kStandardStream && files.claim == kStandardStream) {
     throw InvalidInput("POINTS and CLAIM cannot both be standard input");
   }
   AnyClaim claim = claim_of(files.claim, options.claim_format, options.reading.unlimited);
+  if (const auto* pores = std::get_if<PoreClaim>(&claim)) return check_pores(options, *pores);
+  if (!options.radii.empty()) throw InvalidInput("--radii is for claims of pores");
   const Input input = read_input(options);
   if (!input.file.atoms.empty()) files.atoms = &input.file.atoms;
   files.points = input.name;
@@ -154,14 +177,17 @@ void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
           "CLAIM", options->files.claim,
           "What an implementation claims of it: JSON Lines as compute -o writes them, JSON as pockets --json "
           "writes it, CSV, VTP, or the text format of Giesen and Kühne's algorithm; a persistence diagram, as "
-          "persistence writes it or as lines of dimension, birth and death; or cycles, as cycles --json writes them or "
-          "as lines; also as .gz; - for standard input")
+          "persistence writes it or as lines of dimension, birth and death; cycles, as cycles --json writes them or as "
+          "lines; or, with --radii, diameters of pores, likewise; also as .gz; - for standard input")
       ->required();
   command
-      ->add_option("--claim-format", options->claim_format,
-                   "pers: the claim is a persistence diagram; lines of four columns are known as one by this or by the "
-                   "ending .pers")
-      ->check(CLI::IsMember({"pers"}));
+      ->add_option(
+          "--claim-format", options->claim_format,
+          "pers: the claim is a persistence diagram; lines of four columns are known as one by this or by the "
+          "ending .pers. pores: it has diameters of the room between balls; with them --tolerance is 1e-6 if it "
+          "is not said")
+      ->check(CLI::IsMember({"pers", "pores"}));
+  add_radii_options(*command, *options, false);
   command->add_flag("--json", options->json, "Print one JSON object");
   command->add_option("--junit", options->junit, "Write a JUnit report to this file, a test case a level")
       ->check(complaint_about_path);
@@ -182,8 +208,12 @@ void add_check_command(CLI::App& app, int& status, const OtherTruth& oracle) {
       "Examples:\n  flowcert check bunny.obj claim.jsonl\n  flowcert check bunny.obj claim.csv --tolerance "
       "1e-6 "
       "--junit report.xml\n  flowcert check bunny.obj saddles.csv --indices 1,2,3\n  flowcert persistence "
-      "bunny.obj -o d.pers; flowcert check bunny.obj d.pers\n  flowcert check bunny.obj bunny.json");
-  command->callback([options, oracle, &status] { status = check_claim(*options, oracle); });
+      "bunny.obj -o d.pers; flowcert check bunny.obj d.pers\n  flowcert check bunny.obj bunny.json\n"
+      "  flowcert check cage.xyz diameters.txt --claim-format pores --radii bondi");
+  command->callback([command, options, oracle, &status] {
+    options->has_tolerance = command->count("--tolerance") > 0;
+    status = check_claim(*options, oracle);
+  });
 }
 
 }  // namespace flowcert::cli

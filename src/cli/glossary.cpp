@@ -85,7 +85,9 @@ constexpr auto kEntries = std::to_array<GlossaryEntry>({
     {"length", "Of a pair: its death less its birth, as distances that are not squared."},
     {"level", "How much of a claim is judged: its form (1), points (2, 3), incidences (4), and all else (5)."},
     {"limit", "The stationary point at which an orbit ends, or infinity."},
-    {"lining", "Of a pocket: the points, or atoms, that are nearest to some place in it."},
+    {"lining",
+     "Of a pocket: the points, or atoms, that are nearest to some place in it. Of a cavity between balls: those that "
+     "the probe can touch there."},
     {"malformed", "A finding: the claim contradicts its input or itself."},
     {"maxima at the outside", "Maxima that are too shallow for a pocket and lead outside."},
     {"maximum", "A critical point of index 3: the centre of a ball that can grow nowhere. Several are maxima."},

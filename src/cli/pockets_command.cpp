@@ -1,5 +1,6 @@
 // `flowcert pockets`: pockets, their mouths, and the widest paths out of them; the merge trees; surfaces and cells for
-// viewers. The output is a table, or one exact JSON object (src/cli/manual/pockets.md).
+// viewers. With radii, the cavities between balls for one probe. The output is a table, or one exact JSON object
+// (src/cli/manual/pockets.md).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -12,11 +13,14 @@
 #include <string>
 #include <vector>
 
+#include "cli/ball_input.h"
 #include "cli/command.h"
 #include "cli/export_files.h"
 #include "cli/layer.h"
 #include "cli/pockets_report.h"
+#include "cli/pores_report.h"
 #include "cli/progress.h"
+#include "flowcert/ball_cavities.h"
 #include "flowcert/flow_complex.h"
 #include "io/cell_surfaces.h"
 #include "io/number_text.h"
@@ -29,9 +33,8 @@ namespace flowcert::cli {
 
 namespace {
 
-struct PocketsOptions : InputOptions {
+struct PocketsOptions : BallOptions {
   std::string persistence = "auto";
-  std::string probe;
   std::string volumes = "double";
   std::string tree;
   std::string directory, csv, atoms_csv;
@@ -113,11 +116,46 @@ void print_tree(const PocketsOptions& options, const Input& input) {
   std::cout.flush();
 }
 
-void run_pockets(const PocketsOptions& options) {
+// Between balls.
+void run_cavities(const PocketsOptions& options) {
+  const Rational probe = length_of_option(options.probe, "--probe");
+  const BallInput input = read_ball_input(options);
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  const std::vector<BallCavity> cavities = [&] {
+    const ProgressLine progress("computing");
+    return ball_cavities(input.balls, probe);
+  }();
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  const CavitiesToWrite what{input.balls, cavities, probe, input.atoms(), on_one_line(options.radii)};
+  const bool is_csv = write_table(options.csv, [&](std::ostream& out) { write_cavities_csv(out, what); });
+  const bool is_atoms = write_table(options.atoms_csv, [&](std::ostream& out) { write_cavity_atoms_csv(out, what); });
+  if (options.json) {
+    write_cavities(std::cout, what);
+    std::cout.flush();
+  } else if (!is_csv && !is_atoms) {
+    print_cavities_report({input.title(), what, options.all, seconds});
+  }
+}
+
+// Pockets between points have more than cavities between balls.
+void refuse_with_radii(const CLI::App& command) {
+  for (const char* option : {"--persistence", "--volumes", "--tree", "--export"}) {
+    if (command.count(option) == 0) continue;
+    throw InvalidInput(fmt::format("{} is for pockets between points, and --radii takes atoms for balls", option));
+  }
+  if (command.count("--probe") > 0) return;
+  throw InvalidInput(
+      "--radii needs --probe R, a radius beyond the surfaces of atoms; for all probes at once there is flowcert pores");
+}
+
+void run_pockets(const PocketsOptions& options, const CLI::App& command) {
+  if (!options.radii.empty()) refuse_with_radii(command);
   const std::optional<Probe> probe = probe_of(options.probe);
   if ((options.csv == kStandardStream) + (options.atoms_csv == kStandardStream) + options.json > 1) {
     throw InvalidInput("only one of --csv, --atoms-csv and --json can write to standard output");
   }
+  if (!options.radii.empty()) return run_cavities(options);
   const Input input = read_input(options);
   if (!options.tree.empty()) return print_tree(options, input);
   const AtomNames* const atoms = input.file.atoms.empty() ? nullptr : &input.file.atoms;
@@ -148,6 +186,7 @@ void add_pockets_command(CLI::App& app) {
   auto options = std::make_shared<PocketsOptions>();
   CLI::App* command = app.add_subcommand("pockets", "Cavities, pockets and channels between points; merge trees");
   add_input_options(*command, *options);
+  add_radii_options(*command, *options, false);
   command
       ->add_option("--persistence", options->persistence,
                    "Tell pockets that are deeper than this, a difference of distances, and merge others: a number, "
@@ -157,7 +196,8 @@ void add_pockets_command(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option("--probe", options->probe,
-                   "Say for each pocket what it is for a probe of this radius, measured to the points")
+                   "Say for each pocket what it is for a probe of this radius, measured to the points, of atoms to "
+                   "their centres; with --radii, tell the cavities for it, measured to the atoms' surfaces")
       ->type_name("R");
   command->add_option("--volumes", options->volumes, "Volumes in JSON: nearest doubles, or rationals, which take long")
       ->check(CLI::IsMember({"double", "exact"}))
@@ -188,8 +228,9 @@ void add_pockets_command(CLI::App& app) {
       "A pocket is where the flow ends at some maxima; its mouths are critical points of index 2.\n\n"
       "Examples:\n  flowcert pockets bunny.obj\n"
       "  flowcert pockets protein.pdb --atoms \"no water,no ligands\" --probe 3.1\n"
-      "  flowcert pockets bunny.obj --probe 0.002 --json >pockets.json");
-  command->callback([options] { run_pockets(*options); });
+      "  flowcert pockets bunny.obj --probe 0.002 --json >pockets.json\n"
+      "  flowcert pockets cage.xyz --radii bondi --probe 2");
+  command->callback([options, command] { run_pockets(*options, *command); });
 }
 
 }  // namespace flowcert::cli

@@ -15,7 +15,7 @@ namespace flowcert::cli {
 
 namespace {
 
-constexpr std::size_t kShownChambers = 20, kShownWindows = 5, kShownAtoms = 12;
+constexpr std::size_t kShownRooms = 20, kShownWindows = 5, kShownAtoms = 12;
 
 // A millionth of an ångström can be seen; very small and very large lengths have five digits.
 std::string length_text(double value) {
@@ -23,12 +23,32 @@ std::string length_text(double value) {
   return (size >= 1e-2 && size < 1e6) || value == 0 ? fmt::format("{:.6f}", value) : fmt::format("{:.5g}", value);
 }
 
+std::string rounded_text(const Rational& number) { return fmt::format("{}", nearest_or_infinity(number)); }
+
+// "0 C, 4 C and 7 more"
+std::string some_atoms_text(const AtomNames* atoms, const std::vector<std::uint32_t>& ids, bool shows_all) {
+  const std::size_t shown = shows_all ? ids.size() : std::min(ids.size(), kShownAtoms);
+  std::vector<std::string> texts;
+  for (const std::uint32_t id : std::span(ids).first(shown)) {
+    texts.push_back(atoms != nullptr ? unbroken(fmt::format("{} {}", id, atoms->text(id))) : std::to_string(id));
+  }
+  const std::size_t others = ids.size() - shown;
+  return fmt::format("{}{}", fmt::join(texts, ", "), others > 0 ? fmt::format(" and {} more", others) : "");
+}
+
+void print_ball_counts(const BallSet& balls) {
+  print_row("balls", with_commas(balls.size()));
+  if (const std::size_t hidden = balls.size() - balls.visible().size(); hidden > 0) {
+    print_row("hidden balls", with_commas(hidden), "inside of another ball, whatever the probe");
+  }
+}
+
 class Report {
  public:
   explicit Report(const PoresReport& report)
       : report_(report), pores_(report.what.pores), probe_(report.what.probe), atoms_(report.what.atoms) {
     shown_ = pores_.chambers().size();
-    if (!report.shows_all) shown_ = std::min(shown_, kShownChambers);
+    if (!report.shows_all) shown_ = std::min(shown_, kShownRooms);
   }
 
   void print() const {
@@ -45,20 +65,14 @@ class Report {
 
  private:
   void print_counts() const {
-    const std::size_t all = pores_.balls().size();
-    print_row("balls", with_commas(all));
-    if (const std::size_t hidden = all - pores_.balls().visible().size(); hidden > 0) {
-      print_row("hidden balls", with_commas(hidden), "inside of another ball, whatever the probe");
-    }
-    print_row(
-        "chambers", with_commas(pores_.chambers().size()),
-        report_.what.depth == 0 ? "of any depth" : fmt::format("of depth {} or more", to_text_of(report_.what.depth)));
+    print_ball_counts(pores_.balls());
+    print_row("chambers", with_commas(pores_.chambers().size()),
+              report_.what.depth == 0 ? "of any depth"
+                                      : fmt::format("of depth {} or more", rounded_text(report_.what.depth)));
     if (probe_) print_probe();
     if (!pores_.chambers().empty()) print_diameters();
     print_row("all of it", seconds_text(report_.seconds));
   }
-
-  static std::string to_text_of(const Rational& number) { return fmt::format("{}", nearest_or_infinity(number)); }
 
   void print_probe() const {
     std::size_t open = 0, closed = 0;
@@ -67,7 +81,7 @@ class Report {
       open += status == ChamberStatus::kOpen;
       closed += status == ChamberStatus::kClosed;
     }
-    print_row("probe", to_text_of(*probe_));
+    print_row("probe", rounded_text(*probe_));
     print_row("open chambers", with_commas(open), "their gates are as wide");
     print_row("closed chambers", with_commas(closed), "they are as wide, and their gates are not");
     print_row("cavities", with_commas(pores_.cavities_at(*probe_)),
@@ -90,7 +104,7 @@ class Report {
   void print_that_there_is_none() const {
     print_wrapped(pores_.cavities().empty() ? "no chamber: from wherever a probe fits, it can get out"
                                             : fmt::format("no chamber is as deep as {}; --depth 0 tells all",
-                                                          to_text_of(report_.what.depth)));
+                                                          rounded_text(report_.what.depth)));
   }
 
   void print_chambers() const {
@@ -168,14 +182,7 @@ class Report {
     return fmt::format("{}", fmt::join(rooms, ", "));
   }
   [[nodiscard]] std::string atoms_text(std::uint32_t point) const {
-    const auto& contacts = pores_.points()[point].contacts;
-    const std::size_t shown = report_.shows_all ? contacts.size() : std::min(contacts.size(), kShownAtoms);
-    std::vector<std::string> texts;
-    for (const std::uint32_t id : std::span(contacts).first(shown)) {
-      texts.push_back(atoms_ != nullptr ? unbroken(fmt::format("{} {}", id, atoms_->text(id))) : std::to_string(id));
-    }
-    const std::size_t others = contacts.size() - shown;
-    return fmt::format("{}{}", fmt::join(texts, ", "), others > 0 ? fmt::format(" and {} more", others) : "");
+    return some_atoms_text(atoms_, pores_.points()[point].contacts, report_.shows_all);
   }
 
   // Adds three cells.
@@ -208,6 +215,31 @@ void print_cavity_curve(const Pores& pores) {
   Table table("rr", {"probe", "cavities"});
   for (const CavityStep& step : pores.cavity_steps()) {
     table.row(length_text(nearest_or_infinity(pores.value(step.point)))).cell(step.count);
+  }
+  table.print();
+}
+
+void print_cavities_report(const CavitiesReport& report) {
+  const CavitiesToWrite& what = report.what;
+  print_wrapped(fmt::format("{}, radii {}", report.input, what.radii));
+  print_wrapped(
+      "The probe's radius is measured to the surfaces of the balls; cavities are the places of its centre from which "
+      "it "
+      "cannot get out. To touch is to fit.");
+  print_ball_counts(what.balls);
+  print_row("probe", rounded_text(what.probe));
+  print_row("cavities", with_commas(what.cavities.size()));
+  print_row("all of it", seconds_text(report.seconds));
+  if (what.cavities.empty()) return print_wrapped("no cavity: from wherever the probe fits, it can get out");
+  const std::size_t all = what.cavities.size(), shown = report.shows_all ? all : std::min(all, kShownRooms);
+  print_wrapped(fmt::format("\n{}the atoms that line them",
+                            shown == all ? "cavities, and "
+                                         : fmt::format("the first {} cavities of {}, and ", shown, with_commas(all))),
+                2);
+  Table table("rrl", {"cavity", "atoms", ""});
+  for (std::size_t number = 0; number < shown; ++number) {
+    const auto& atoms = what.cavities[number].atoms;
+    table.row(std::to_string(number)).cell(atoms.size()).cell(some_atoms_text(what.atoms, atoms, report.shows_all));
   }
   table.print();
 }

@@ -1,5 +1,6 @@
-// `flowcert view`: one page that shows the complex of an input in a browser and, if wanted, what is wrong with a claim
-// (src/cli/manual/view.md). With a claim, the exit status is that of `check`.
+// `flowcert view`: one page that shows the complex of an input in a browser and, if wanted, what is wrong with a claim;
+// or, with radii, atoms as balls with the chambers between them (src/cli/manual/view.md). With a claim, the exit status
+// is that of `check`.
 //
 // Guarantees: the page appears whole or not at all.
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include <memory>
 
 #include "certify/viewer_claim.h"
+#include "cli/ball_input.h"
 #include "cli/check_report.h"
 #include "cli/command.h"
 #include "cli/progress.h"
@@ -25,7 +27,8 @@ namespace flowcert::cli {
 
 namespace {
 
-struct ViewCommandOptions : InputOptions {
+struct ViewCommandOptions : BallOptions {
+  std::string depth = "0.1";
   std::string output;
   std::string claim;
   CheckOptions check;
@@ -41,26 +44,39 @@ std::string page_beside(const std::string& input) {
   return name.stem().string() + ".html";
 }
 
-ViewerCounts write_page(const std::string& path, const FlowComplex& complex, const ViewerOptions& content) {
+// Without -o the page is beside INPUT.
+void choose_output(ViewCommandOptions& options) {
+  if (!options.output.empty()) return;
+  options.output = page_beside(options.input);
+  std::error_code ignored;
+  if (std::filesystem::equivalent(options.output, options.input, ignored)) {
+    throw InvalidInput(fmt::format("{}: the page would replace these points; name it with -o", options.input));
+  }
+}
+
+using PageWriter = std::function<void(std::ostream&, ProgressLine&)>;
+
+void write_page(const std::string& path, const std::string& name, const PageWriter& write) {
   std::optional<OutputFile> file;
   if (path != kStandardStream) file.emplace(path);
   ProgressLine progress("page", file ? -1 : STDOUT_FILENO);
-  const ViewerCounts counts = naming(content.name, [&] {
-    return write_viewer_page(file ? file->stream() : std::cout, complex, content, std::ref(progress));
-  });
+  naming(name, [&] { write(file ? file->stream() : std::cout, progress); });
   if (file) file->commit();
-  return counts;
 }
 
-void print_page_table(const std::string& page, const Input& input, const FlowComplex& complex,
-                      const ViewerOptions& content, const ViewerCounts& shown, const CheckReport* report) {
-  const auto& counts = complex.stationary().critical_counts();
+void print_page(const std::string& page) {
   print_wrapped(fmt::format("{}: open it in a browser", on_one_line(page)));
   // A pipe has no size.
   std::error_code no_size;
   const std::uintmax_t size = std::filesystem::file_size(page, no_size);
   constexpr double kMegabyte = 1e6;
   if (!no_size) print_row("size", fmt::format("{:.1f} MB", static_cast<double>(size) / kMegabyte));
+}
+
+void print_page_table(const std::string& page, const Input& input, const FlowComplex& complex,
+                      const ViewerOptions& content, const ViewerCounts& shown, const CheckReport* report) {
+  const auto& counts = complex.stationary().critical_counts();
+  print_page(page);
   print_row("points", with_commas(input.points.row_count()));
   for (std::size_t index = 0; index < counts.size(); ++index) {
     print_row(fmt::format("critical points of index {}", index), with_commas(counts.at(index)));
@@ -86,7 +102,30 @@ void print_page_table(const std::string& page, const Input& input, const FlowCom
   }
 }
 
+int view_balls(ViewCommandOptions options) {
+  const Rational depth = length_of_option(options.depth, "--depth");
+  std::optional<Rational> probe;
+  if (!options.probe.empty()) probe = length_of_option(options.probe, "--probe");
+  const BallInput input = read_ball_input(options);
+  choose_output(options);
+  std::optional<Pores> pores;
+  {
+    const ProgressLine progress("computing");
+    pores.emplace(input.balls, depth, input.threads);
+  }
+  write_page(options.output, input.name, [&](std::ostream& out, ProgressLine&) {
+    write_viewer_page(out, input.name, input.file.file.rows,
+                      {*pores, depth, probe, input.atoms(), on_one_line(options.radii)});
+  });
+  if (options.output == kStandardStream) return kRight;
+  print_page(options.output);
+  print_row("balls", with_commas(input.balls.size()));
+  print_row("chambers", with_commas(pores->chambers().size()), fmt::format("of depth {} or more", options.depth));
+  return kRight;
+}
+
 int view(ViewCommandOptions options) {
+  if (!options.radii.empty()) return view_balls(std::move(options));
   if (options.input == kStandardStream && options.claim == kStandardStream) {
     throw InvalidInput("INPUT and --claim cannot both be standard input");
   }
@@ -94,13 +133,7 @@ int view(ViewCommandOptions options) {
   if (!options.claim.empty()) claim = read_claim(options.claim);
   const Input input = read_input(options);
   if (claim) require_rows(*claim, input.points, display_name(options.claim));
-  if (options.output.empty()) {
-    options.output = page_beside(options.input);
-    std::error_code ignored;
-    if (std::filesystem::equivalent(options.output, options.input, ignored)) {
-      throw InvalidInput(fmt::format("{}: the page would replace these points; name it with -o", options.input));
-    }
-  }
+  choose_output(options);
   const FlowComplex complex(input.points, complex_options(input), part_progress());
   tell_of_many_cells(complex);
   std::optional<Pockets> pockets;
@@ -119,7 +152,10 @@ int view(ViewCommandOptions options) {
                                  {.name = display_name(options.claim), .tolerance = options.check.tolerance});
     status = status_of(report->verdict, options.is_strict);
   }
-  const ViewerCounts shown = write_page(options.output, complex, content);
+  ViewerCounts shown;
+  write_page(options.output, content.name, [&](std::ostream& out, ProgressLine& progress) {
+    shown = write_viewer_page(out, complex, content, std::ref(progress));
+  });
   if (options.output != kStandardStream)
     print_page_table(options.output, input, complex, content, shown, report ? &*report : nullptr);
   return status;
@@ -174,9 +210,22 @@ void add_view_command(CLI::App& app, int& status) {
       ->check(CLI::Range(std::size_t{0}, kMost))
       ->capture_default_str()
       ->needs(pockets);
+  add_radii_options(*command, *options, false);
+  CLI::Option* radii = command->get_option("--radii");
+  for (const char* name : {"--claim", "--most", "--cells", "--pockets"}) command->get_option(name)->excludes(radii);
+  command->add_option("--depth", options->depth, "Have chambers whose peak is this much wider than their gate, or more")
+      ->type_name("D")
+      ->capture_default_str()
+      ->needs(radii);
+  command->add_option("--probe", options->probe, "Say for each chamber what it is for a probe of this radius")
+      ->type_name("R")
+      ->needs(radii);
   add_threads_option(*command, options->threads);
   command->footer(
-      "Examples:\n  flowcert view bunny.obj --pockets auto\n  flowcert view bunny.obj --claim claim.csv -o wrong.html");
+      "With --radii the page has atoms as balls, and the chambers between them with their windows, as pores tells "
+      "them.\n\n"
+      "Examples:\n  flowcert view bunny.obj --pockets auto\n  flowcert view bunny.obj --claim claim.csv -o wrong.html\n"
+      "  flowcert view cage.xyz --radii bondi --depth 0.5");
   command->callback([options, &status] { status = view(*options); });
 }
 

@@ -6,6 +6,8 @@
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/container_hash/hash.hpp>
 #include <cmath>
+#include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <unordered_map>
@@ -39,30 +41,30 @@ struct ViewerContent {
 
 // ---- Points ----
 
-Json sample_coordinates(const PointSet& points) {
+Json sample_coordinates(std::span<const Point> points) {
   std::vector<double> coordinates;
-  for (const Point& point : points.points()) coordinates.insert(coordinates.end(), {point.x, point.y, point.z});
+  for (const Point& point : points) coordinates.insert(coordinates.end(), {point.x, point.y, point.z});
   return viewer_blob(coordinates);
 }
 
-Json sample_rows(const PointSet& points) {
+Numbers sample_rows(const PointSet& points) {
   Numbers rows;
   for (std::size_t i = 0; i < points.size(); ++i) rows.push_back(points.name(i));
-  return viewer_blob(rows);
+  return rows;
 }
 
 // Elements are listed once, in the order in which they come.
-Json atoms_field(const AtomNames& atoms, const PointSet& points) {
+Json atoms_field(const AtomNames* atoms, const Numbers& rows) {
+  if (atoms == nullptr) return nullptr;
   std::unordered_map<std::string, std::uint32_t> place_of;
   Json elements = Json::array(), names = Json::array();
   Numbers element;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const PointId row = points.name(i);
+  for (const PointId row : rows) {
     const auto [found, is_new] =
-        place_of.try_emplace(std::string(atoms[row].element), static_cast<std::uint32_t>(place_of.size()));
+        place_of.try_emplace(std::string((*atoms)[row].element), static_cast<std::uint32_t>(place_of.size()));
     if (is_new) elements.push_back(found->first);
     element.push_back(found->second);
-    names.push_back(atoms.text(row));
+    names.push_back(atoms->text(row));
   }
   return {{"elements", std::move(elements)}, {"element", viewer_blob(element)}, {"names", std::move(names)}};
 }
@@ -268,7 +270,7 @@ Json claim_field(const ViewerSelection& selection, Json claim) {
 
 Json data_of(const FlowComplex& complex, const ViewerOptions& options, const ViewerSelection& selection,
              const Progress& progress) {
-  const ViewerFrame frame(complex.points());
+  const ViewerFrame frame(complex.points().points());
   const ViewerContent content = {complex, frame, selection};
   Json data = header_fields("flowcert-view", 1, complex.points());
   add_counts(data, complex.points(), complex.stationary());
@@ -279,9 +281,10 @@ Json data_of(const FlowComplex& complex, const ViewerOptions& options, const Vie
   if (selection.records.size() < selection.all_records) {
     data["thinned"] = {{"of", selection.all_records}, {"kept", selection.records.size()}};
   }
-  data["samples"] = sample_coordinates(complex.points());
-  data["sample_rows"] = sample_rows(complex.points());
-  data["atoms"] = options.atoms ? atoms_field(*options.atoms, complex.points()) : Json(nullptr);
+  const Numbers rows = sample_rows(complex.points());
+  data["samples"] = sample_coordinates(complex.points().points());
+  data["sample_rows"] = viewer_blob(rows);
+  data["atoms"] = atoms_field(options.atoms, rows);
   data["records"] = records_field(content);
   data["pairs"] = pairs_field(content);
   Floats s2_vertices;
@@ -294,9 +297,48 @@ Json data_of(const FlowComplex& complex, const ViewerOptions& options, const Vie
   return data;
 }
 
-// JSON as the text of a script element: nothing in it can end the element, or begin a comment.
-std::string text_for_script(const Json& data) {
-  return boost::replace_all_copy(data.dump(-1, ' ', false, Json::error_handler_t::replace), "<", "\\u003c");
+// The frame is that of the box around the balls.
+Json data_of_balls(const std::string& name, std::span<const Point> centres, const PoresToWrite& what) {
+  Numbers rows;
+  std::vector<double> radii;
+  std::vector<Point> corners;
+  const auto within_doubles = [](double sum) {
+    return std::clamp(sum, std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max());
+  };
+  for (const auto& [x, y, z] : centres) {
+    rows.push_back(static_cast<std::uint32_t>(rows.size()));
+    const double r = radii.emplace_back(nearest_or_infinity(what.pores.balls()[rows.back()].radius));
+    corners.push_back({within_doubles(x - r), within_doubles(y - r), within_doubles(z - r)});
+    corners.push_back({within_doubles(x + r), within_doubles(y + r), within_doubles(z + r)});
+  }
+  const ViewerFrame frame(corners);
+  Json data = header_fields("flowcert-view", 1);
+  data["points"] = centres.size();
+  data["name"] = name;
+  data["origin"] = frame.origin();
+  data["unit"] = frame.unit();
+  data["samples"] = sample_coordinates(centres);
+  data["sample_rows"] = viewer_blob(rows);
+  data["atoms"] = atoms_field(what.atoms, rows);
+  data["radii"] = viewer_blob(radii);
+  std::ostringstream pores;
+  write_pores(pores, what);
+  data["pores"] = Json::parse(pores.str());
+  data["pores"].erase("cavities");
+  return data;
+}
+
+// The data as the text of a script element: nothing in it can end the element, or begin a comment.
+void write_page_with(std::ostream& out, const Json& data) {
+  constexpr std::string_view kPlace = R"(<script type="application/json" id="flowcert-data">null</script>)";
+  constexpr std::string_view kNull = "null</script>";
+  const std::string_view page = viewer_template();
+  const std::size_t at = page.find(kPlace);
+  if (at == std::string_view::npos) throw std::logic_error("the viewer's page has no place for data");
+  const std::size_t data_at = at + kPlace.size() - kNull.size();
+  out << page.substr(0, data_at)
+      << boost::replace_all_copy(data.dump(-1, ' ', false, Json::error_handler_t::replace), "<", "\\u003c")
+      << page.substr(data_at + std::string_view("null").size());
 }
 
 }  // namespace
@@ -304,22 +346,21 @@ std::string text_for_script(const Json& data) {
 ViewerCounts write_viewer_page(std::ostream& out, const FlowComplex& complex, const ViewerOptions& options,
                                const Progress& progress) {
   const geometry::IeeeDoubles ieee;
-  constexpr std::string_view kPlace = R"(<script type="application/json" id="flowcert-data">null</script>)";
-  constexpr std::string_view kNull = "null</script>";
-  const std::string_view page = viewer_template();
-  const std::size_t at = page.find(kPlace);
-  if (at == std::string_view::npos) throw std::logic_error("the viewer's page has no place for data");
-  const std::size_t data_at = at + kPlace.size() - kNull.size();
   complex.make(FlowComplexPart::kPersistence);
   ViewerSelection selection = viewer_selection(complex, options.most_of_an_index);
   if (options.has_cells) choose_cells(complex, options.most_cells, options.most_surfaces, selection);
-  const std::string data = text_for_script(data_of(complex, options, selection, progress));
-  out << page.substr(0, data_at) << data << page.substr(data_at + std::string_view("null").size());
+  write_page_with(out, data_of(complex, options, selection, progress));
   const std::size_t all_pockets = options.pockets ? options.pockets->size() : 0;
   return {.records = {selection.records.size(), selection.all_records},
           .cells = {selection.cells.size(), selection.all_cells},
           .surfaces = {selection.surfaces.size(), selection.all_surfaces},
           .pockets = {std::min(options.most_pockets, all_pockets), all_pockets}};
+}
+
+void write_viewer_page(std::ostream& out, const std::string& name, std::span<const Point> centres,
+                       const PoresToWrite& what) {
+  const geometry::IeeeDoubles ieee;
+  write_page_with(out, data_of_balls(name, centres, what));
 }
 
 }  // namespace flowcert

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <ostream>
+#include <span>
 #include <string>
 
 #include "flowcert/atom_names.h"
@@ -15,6 +16,7 @@
 #include "flowcert/pockets.h"
 #include "flowcert/progress.h"
 #include "io/json_fields.h"
+#include "io/write_pores.h"
 
 namespace flowcert {
 
@@ -52,5 +54,10 @@ struct ViewerCounts {
 // Throws InvalidInput for a surface with a coordinate beyond the doubles.
 ViewerCounts write_viewer_page(std::ostream& out, const FlowComplex& complex, const ViewerOptions& options,
                                const Progress& progress = {});
+
+// A page of balls and what there is between them, without a flow complex. centres: the doubles nearest to those of the
+// balls.
+void write_viewer_page(std::ostream& out, const std::string& name, std::span<const Point> centres,
+                       const PoresToWrite& what);
 
 }  // namespace flowcert

@@ -82,11 +82,11 @@ double clamped(double value) { return std::isnan(value) ? 0 : std::clamp(value, 
 
 }  // namespace
 
-ViewerFrame::ViewerFrame(const PointSet& points) {
+ViewerFrame::ViewerFrame(std::span<const Point> points) {
   if (points.empty()) return;
   std::array<double, 3> low, high;
   low = high = {points[0].x, points[0].y, points[0].z};
-  for (const Point& point : points.points()) {
+  for (const Point& point : points) {
     const std::array<double, 3> row = point.coordinates();
     for (std::size_t axis = 0; axis < 3; ++axis) {
       low[axis] = std::min(low[axis], row[axis]);

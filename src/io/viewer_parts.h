@@ -29,7 +29,7 @@ namespace flowcert::io {
 [[nodiscard]] Json viewer_blob(std::span<const std::uint8_t> numbers);
 
 // ---- The frame ----
-// The input's bounding box becomes a box within [-1, 1]^3, which it fits in its longest direction.
+// The bounding box of points becomes a box within [-1, 1]^3, which it fits in its longest direction.
 //
 // Guarantees: positions are finite floats, whatever the scale of the input. They are for drawing alone.
 class ViewerFrame {
@@ -37,7 +37,7 @@ class ViewerFrame {
   // What is unbounded is cut at the box [-kClip, kClip]^3.
   static constexpr double kClip = 3;
 
-  explicit ViewerFrame(const PointSet& points);
+  explicit ViewerFrame(std::span<const Point> points);
 
   [[nodiscard]] const std::array<double, 3>& origin() const { return origin_; }
   [[nodiscard]] double unit() const { return unit_; }

@@ -40,6 +40,25 @@ double nearest_depth(const Pores& pores, const Chamber& chamber) {
   return nearest_difference(pores.value(chamber.peaks[0]), gate);
 }
 
+// balls, hidden, and what made the object.
+Json ball_fields(const char* format, const BallSet& balls, const std::string& radii) {
+  Json json = header_fields(format, 1);
+  json["radii"] = radii.empty() ? Json(nullptr) : Json(radii);
+  json["balls"] = balls.size();
+  json["hidden"] = Json::array();
+  for (std::uint32_t id = 0; id < balls.size(); ++id) {
+    if (!std::ranges::binary_search(balls.visible(), id)) json["hidden"].push_back(id);
+  }
+  return json;
+}
+
+// Their names.
+Json atom_texts(const AtomNames& atoms, const std::vector<std::uint32_t>& ids) {
+  Json texts = Json::array();
+  for (const std::uint32_t id : ids) texts.push_back(atoms.text(id));
+  return texts;
+}
+
 class PoreFields {
  public:
   explicit PoreFields(const PoresToWrite& what) : what_(what), pores_(what.pores) {}
@@ -94,10 +113,7 @@ class PoreFields {
   [[nodiscard]] Json point(std::uint32_t point) const {
     Json json;
     json["contact"] = contacts(point);
-    if (what_.atoms != nullptr) {
-      json["atoms"] = Json::array();
-      for (const std::uint32_t row : contacts(point)) json["atoms"].push_back(what_.atoms->text(row));
-    }
+    if (what_.atoms != nullptr) json["atoms"] = atom_texts(*what_.atoms, contacts(point));
     json["center"] = Json::array();
     for (const QuadraticNumber& coordinate : pores_.position(point)) json["center"].push_back(number_field(coordinate));
     return json;
@@ -114,19 +130,24 @@ std::string csv_position(const Pores& pores, std::uint32_t point) {
   return fmt::format("{},{},{}", csv_number(x), csv_number(y), csv_number(z));
 }
 
-// The contacts of all these points as one field, and of a molecule their names as another one.
+// The ids as one field, and of a molecule the names as another one.
+std::string csv_atoms(const AtomNames* atoms, const std::vector<std::uint32_t>& ids) {
+  std::string rows, names;
+  for (const std::uint32_t id : ids) {
+    rows += (rows.empty() ? "" : ";") + std::to_string(id);
+    if (atoms != nullptr) names += (names.empty() ? "" : "; ") + atoms->text(id);
+  }
+  return atoms == nullptr ? rows : rows + ',' + csv_text(names);
+}
+
+// Of the contacts of all these points.
 std::string csv_atoms(const PoresToWrite& what, std::span<const std::uint32_t> points) {
   std::set<std::uint32_t> ids;
   for (const std::uint32_t point : points) {
     const auto& contacts = what.pores.points()[point].contacts;
     ids.insert(contacts.begin(), contacts.end());
   }
-  std::string rows, names;
-  for (const std::uint32_t id : ids) {
-    rows += (rows.empty() ? "" : ";") + std::to_string(id);
-    if (what.atoms != nullptr) names += (names.empty() ? "" : "; ") + what.atoms->text(id);
-  }
-  return what.atoms == nullptr ? rows : rows + ',' + csv_text(names);
+  return csv_atoms(what.atoms, {ids.begin(), ids.end()});
 }
 
 }  // namespace
@@ -148,13 +169,7 @@ void write_pores(std::ostream& out, const PoresToWrite& what) {
   const geometry::IeeeDoubles ieee;
   const PoreFields fields(what);
   const Pores& pores = what.pores;
-  Json json = header_fields("flowcert-pores", 1);
-  json["radii"] = what.radii.empty() ? Json(nullptr) : Json(what.radii);
-  json["balls"] = pores.balls().size();
-  json["hidden"] = Json::array();
-  for (std::uint32_t id = 0; id < pores.balls().size(); ++id) {
-    if (!std::ranges::binary_search(pores.balls().visible(), id)) json["hidden"].push_back(id);
-  }
+  Json json = ball_fields("flowcert-pores", pores.balls(), what.radii);
   json["depth"] = to_text(what.depth);
   json["probe"] = what.probe ? Json(to_text(*what.probe)) : Json(nullptr);
   if (what.probe) json["cavities_at_probe"] = pores.cavities_at(*what.probe);
@@ -227,6 +242,48 @@ void write_cavity_curve_csv(std::ostream& out, const Pores& pores) {
   out << "up_to,cavities\n";
   for (const CavityStep& step : pores.cavity_steps()) {
     out << fmt::format("{},{}\n", csv_number(pores.value(step.point)), step.count);
+  }
+}
+
+// ---- Cavities for one probe ----
+
+void write_cavities(std::ostream& out, const CavitiesToWrite& what) {
+  Json json = ball_fields("flowcert-cavities", what.balls, what.radii);
+  json["probe"] = to_text(what.probe);
+  json["cavities"] = Json::array();
+  for (const BallCavity& cavity : what.cavities) {
+    Json one;
+    one["lining"] = cavity.atoms;
+    if (what.atoms != nullptr) one["atoms"] = atom_texts(*what.atoms, cavity.atoms);
+    json["cavities"].push_back(std::move(one));
+  }
+  out << json.dump() << '\n';
+}
+
+void write_cavities_csv(std::ostream& out, const CavitiesToWrite& what) {
+  out << "cavity,lining,atoms" << (what.atoms == nullptr ? "\n" : ",names\n");
+  for (std::size_t number = 0; number < what.cavities.size(); ++number) {
+    const auto& atoms = what.cavities[number].atoms;
+    out << fmt::format("{},{},{}\n", number, atoms.size(), csv_atoms(what.atoms, atoms));
+  }
+}
+
+void write_cavity_atoms_csv(std::ostream& out, const CavitiesToWrite& what) {
+  const geometry::IeeeDoubles ieee;
+  out << "cavity,row," << (what.atoms == nullptr ? "" : "chain,residue,number,atom,element,") << "x,y,z,radius\n";
+  for (std::size_t number = 0; number < what.cavities.size(); ++number) {
+    for (const std::uint32_t row : what.cavities[number].atoms) {
+      out << fmt::format("{},{},", number, row);
+      if (what.atoms != nullptr) {
+        const AtomName name = (*what.atoms)[row];
+        for (const std::string_view part : {name.chain, name.residue, name.number, name.atom, name.element}) {
+          out << csv_text(part) << ',';
+        }
+      }
+      const auto& [centre, radius] = what.balls[row];
+      out << fmt::format("{},{},{},{}\n", csv_number(centre[0]), csv_number(centre[1]), csv_number(centre[2]),
+                         csv_number(radius));
+    }
   }
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "flowcert/atom_names.h"
 #include "flowcert/ball_cavities.h"
@@ -21,6 +22,15 @@ struct PoresToWrite {
   std::optional<Rational> probe;
   const AtomNames* atoms = nullptr;  // of a molecule
   std::string radii{};               // as a user says them; empty where they are numbers of a program
+};
+
+// The cavities for one probe.
+struct CavitiesToWrite {
+  const BallSet& balls;
+  const std::vector<BallCavity>& cavities;
+  Rational probe;
+  const AtomNames* atoms = nullptr;
+  std::string radii{};
 };
 
 // The numbers of the chambers with the greatest peak and the greatest exit, the first ones at a tie. Twice these values
@@ -39,5 +49,11 @@ void write_pores_csv(std::ostream& out, const PoresToWrite& what);
 void write_windows_csv(std::ostream& out, const PoresToWrite& what);
 // The number of cavities as a function of the probe, a row for each step, from the greatest probe down.
 void write_cavity_curve_csv(std::ostream& out, const Pores& pores);
+
+// One JSON object.
+void write_cavities(std::ostream& out, const CavitiesToWrite& what);
+// A row for each cavity, with the atoms that line it; and a row for each cavity and each of these atoms.
+void write_cavities_csv(std::ostream& out, const CavitiesToWrite& what);
+void write_cavity_atoms_csv(std::ostream& out, const CavitiesToWrite& what);
 
 }  // namespace flowcert

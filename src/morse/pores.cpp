@@ -134,7 +134,9 @@ class PoreSearch {
       add_chamber(parts[number], {});
       pores_.cavities_.push_back({std::nullopt, parts[number].peaks[0]});
     }
-    std::ranges::sort(pores_.cavities_, {}, [](const CavityInterval& each) { return each.peak; });
+    std::ranges::sort(pores_.cavities_, {}, [&](const CavityInterval& each) {
+      return std::pair(rank_of(each.peak), each.gate ? rank_of(*each.gate) : outside_);
+    });
   }
 
   // Of a bounded component; the outside is before all.

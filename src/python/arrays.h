@@ -5,6 +5,7 @@
 
 #include <pybind11/numpy.h>
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <utility>
@@ -28,6 +29,11 @@ template <class Number>
 [[nodiscard]] pybind11::array array_of(std::vector<Number> numbers) {
   const auto size = static_cast<pybind11::ssize_t>(numbers.size());
   return array_of<Number>(std::move(numbers), {size});
+}
+
+// Places in some list, or rows of points.
+[[nodiscard]] inline pybind11::array places_of(const std::vector<std::uint32_t>& places) {
+  return array_of(std::vector<std::int64_t>(places.begin(), places.end()));
 }
 
 // Items of so many numbers each are the rows of an array.

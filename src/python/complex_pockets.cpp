@@ -20,10 +20,6 @@ namespace py = pybind11;
 
 namespace {
 
-py::array places_of(const std::vector<std::uint32_t>& records) {
-  return array_of(std::vector<std::int64_t>(records.begin(), records.end()));
-}
-
 // What a pocket has beside its places.
 struct PocketNumbers {
   Rational difference_of_squares;

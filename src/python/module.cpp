@@ -13,6 +13,7 @@
 #include "geometry/gmp_memory.h"
 #include "numbers.h"
 #include "point_files.h"
+#include "pores.h"
 
 PYBIND11_MODULE(_core, module) {
   namespace python = flowcert::python;
@@ -46,4 +47,5 @@ PYBIND11_MODULE(_core, module) {
   python::add_check(module);
   python::add_generators(module);
   python::add_point_files(module);
+  python::add_pores(module);
 }

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "arrays.h"
-#include "flowcert/read_points.h"
+#include "flowcert/read_balls.h"
 #include "geometry/floating_point.h"
+#include "numbers.h"
 #include "released_lock.h"
 
 namespace flowcert::python {
@@ -30,18 +31,22 @@ py::list names_of(const AtomNames& atoms) {
   return names;
 }
 
-// The points, the notes as (line, text), the rows that are left out, and the names of a molecule's atoms if they are
-// asked for.
-py::tuple read_file(const std::string& path, const ReadingOptions& options, bool with_atoms) {
-  PointFile file;
+// The points, the notes as (line, text), the rows that are left out, the names of a molecule's atoms if they are asked
+// for, and with radii the balls as (centre, radius).
+py::tuple read_file(const std::string& path, const ReadingOptions& options, bool with_atoms,
+                    const std::optional<std::string>& radii) {
+  BallFile read;
   {
     const ReleasedLock released;
-    file = read_points(path, options);
+    if (radii) read = read_balls(path, options, AtomRadii(*radii));
+    if (!radii) read.file = read_points(path, options);
   }
-  py::list notes;
+  PointFile& file = read.file;
+  py::list notes, balls;
   for (const ReadingNote& note : file.notes) notes.append(py::make_tuple(note.line, note.text));
+  for (const Ball& ball : read.balls) balls.append(py::make_tuple(ratios_of(ball.centre), ratio_of(ball.radius)));
   const py::list names = with_atoms ? names_of(file.atoms) : py::list();
-  return py::make_tuple(rows_of<double>(std::move(file.rows)), notes, py::cast(file.left_out), names);
+  return py::make_tuple(rows_of<double>(std::move(file.rows)), notes, py::cast(file.left_out), names, balls);
 }
 
 }  // namespace
@@ -51,7 +56,7 @@ void add_point_files(py::module_& module) {
       "read_points",
       [](const std::string& path, std::string format, std::string columns, std::optional<double> z,
          std::vector<std::string> atoms, std::vector<std::string> chains, std::string models, std::size_t frame,
-         bool skip_invalid, bool unlimited, bool with_atoms) {
+         bool skip_invalid, bool unlimited, bool finite, bool with_atoms, const std::optional<std::string>& radii) {
         return read_file(path,
                          {.format = std::move(format),
                           .columns = std::move(columns),
@@ -62,12 +67,14 @@ void add_point_files(py::module_& module) {
                           .frame = frame,
                           .skip_invalid = skip_invalid,
                           .unlimited = unlimited,
+                          .finite = finite,
                           .progress = stop_if_interrupted},
-                         with_atoms);
+                         with_atoms, radii);
       },
       py::arg("path"), py::arg("format"), py::arg("columns"), py::arg("z"), py::arg("atoms"), py::arg("chains"),
-      py::arg("models"), py::arg("frame"), py::arg("skip_invalid"), py::arg("unlimited"), py::arg("with_atoms"),
-      py::call_guard<geometry::IeeeDoubles>(), "What flowcert.read_points asks.");
+      py::arg("models"), py::arg("frame"), py::arg("skip_invalid"), py::arg("unlimited"), py::arg("finite"),
+      py::arg("with_atoms"), py::arg("radii"), py::call_guard<geometry::IeeeDoubles>(),
+      "What flowcert.read_points and flowcert.read_balls ask.");
 }
 
 }  // namespace flowcert::python

@@ -1,4 +1,4 @@
-// What flowcert.read_points asks.
+// What flowcert.read_points and flowcert.read_balls ask.
 #pragma once
 
 #include <pybind11/pybind11.h>

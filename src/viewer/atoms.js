@@ -77,8 +77,9 @@ export function joined_atoms(complex) {
   return { sticks: edges_where(complex, (_a, _b, length) => length <= 1.25 * near), near };
 }
 
-// Of balls, in the frame: larger elements have somewhat larger ones.
+// Of balls, in the frame: their own, or else larger elements have somewhat larger ones.
 export function ball_radii(complex, near) {
+  if (complex.radii) return Float32Array.from(complex.radii, (radius) => radius / complex.data.unit);
   return Float32Array.from({ length: complex.sample_count }, (_, sample) => {
     const radius = covalent[complex.atoms?.symbol(sample)] ?? covalent.C;
     return 0.27 * (near || 0.2) * Math.min(1.25, Math.sqrt(radius / covalent.C));

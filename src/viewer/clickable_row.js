@@ -15,3 +15,10 @@ export function clickable_row(pick, attributes, ...cells) {
   };
   return element('tr', { ...attributes, class: 'clickable', tabindex: 0, click, keydown }, ...cells);
 }
+
+// The row of what is picked stands out.
+export function mark_rows(rows, is_picked) {
+  for (const row of rows)
+    if (is_picked(row)) row.setAttribute('aria-current', 'true');
+    else row.removeAttribute('aria-current');
+}

@@ -3,7 +3,7 @@
 // no pair, and infinity. Squared distances, radii and persistence, a difference of distances, are in the frame;
 // `length_text` and `squared_text` give them in input units. What the first frame needs is decoded by load_first, the
 // lines of U2 by load_lines, with the cycles of pairs (cycles.js), with volumes, connections, cells and U1 (cells.js)
-// and pockets (pockets.js), if the page has them.
+// and pockets (pockets.js), if the page has them. A page of balls has samples with radii, and pores (pores.js).
 
 import { load_atoms } from './atoms.js';
 import { decode, decode_all } from './blobs.js';
@@ -13,6 +13,7 @@ import { exact_sphere } from './exact_sphere.js';
 import { fill_records, line_vertices } from './plain_points.js';
 import { load_pockets } from './pockets.js';
 import { none, regular_kind } from './point_numbers.js';
+import { Pores, no_flow } from './pores.js';
 import { in_input_units, short_scaled } from './words.js';
 
 // sqrt(a) - sqrt(b), with the digits that a difference of near numbers loses.
@@ -28,14 +29,16 @@ export class Complex {
     this.cycles = null;
     this.cells = null;
     this.pockets = null;
+    if (data.pores) Object.assign(data, no_flow);
   }
 
   async load_first() {
     const { data } = this;
-    const [samples, sample_rows, atoms, records, pairs, s2, line_limits] = await Promise.all([
+    const [samples, sample_rows, atoms, radii, records, pairs, s2, line_limits] = await Promise.all([
       decode(data.samples),
       decode(data.sample_rows),
       data.atoms ? load_atoms(data.atoms) : null,
+      data.radii ? decode(data.radii) : null,
       decode_all(data.records, [
         'numbers',
         'face',
@@ -50,7 +53,7 @@ export class Complex {
       decode_all(data.s2, ['record', 'triangle_offsets', 'vertices', 'triangles', 'has_interval']),
       decode(data.u2.limits),
     ]);
-    Object.assign(this, { samples, sample_rows, atoms, records, pairs, s2 });
+    Object.assign(this, { samples, sample_rows, atoms, radii, records, pairs, s2 });
     this.infinite_line_count = line_limits.reduce((count, limit) => count + (limit === none), 0);
     this.finite_line_count = line_limits.length - this.infinite_line_count;
     this.sample_count = sample_rows.length;
@@ -61,6 +64,7 @@ export class Complex {
     this.lay_out_points();
     this.join_pairs();
     this.join_sets();
+    this.pores = data.pores ? new Pores(data, this.positions) : null;
   }
 
   async load_lines() {
@@ -151,9 +155,9 @@ export class Complex {
     return this.atoms?.names[sample] ?? '';
   }
 
-  // Whether the samples are drawn as balls, if wanted: those of molecules, and those that pockets lie between.
+  // Whether the samples are drawn as balls, if wanted: those of molecules, and those that pockets or pores lie between.
   get has_balls() {
-    return this.sample_count > 0 && Boolean(this.data.atoms || this.data.pockets);
+    return this.sample_count > 0 && Boolean(this.data.atoms || this.data.pockets || this.pores);
   }
 
   // The samples of C(x), ascending.

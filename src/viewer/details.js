@@ -6,6 +6,7 @@
 import { neighbour_table, surface_line, volume_row } from './cell_facts.js';
 import { element, fill, glyph } from './element.js';
 import { is_normal, nearest_double, rational_text } from './exact_sphere.js';
+import { chips, exact_fact, fact, section } from './fact_parts.js';
 import { pocket_facts } from './pocket_facts.js';
 import { none } from './point_numbers.js';
 import { clauses, count_text, digits_of, kind_name, point_name, row_text, shortened } from './words.js';
@@ -78,47 +79,18 @@ export class Details {
     const near_squared = is_normal(squared) ? near(squared) : this.complex.squared_text(this.complex.squared[point]);
     rows.push(this.exact_row('d²', squared, near_squared, 'input units, squared'));
     const radius = this.complex.length_text(this.complex.frame_radius(point));
-    rows.push(
-      element(
-        'div',
-        { class: 'row' },
-        element('dt', {}, 'd'),
-        element('dd', {}, element('span', { class: 'value' }, `≈ ${radius}`), unit('input units')),
-      ),
-    );
+    rows.push(fact('d', element('span', { class: 'value' }, `≈ ${radius}`), unit('input units')));
     return section('Exact position and squared distance', element('dl', { class: 'exact' }, rows));
   }
 
   exact_row(name, value, decimal, units) {
     const text = rational_text(value);
     const short = shortened(text);
-    const copy = element(
-      'button',
-      {
-        class: 'copy',
-        title: `Copy the exact value of ${name}`,
-        'aria-label': `Copy the exact value of ${name}`,
-        click: () => this.actions.copy(text, `exact ${name}`),
-      },
-      'copy',
-    );
     const digits =
       short === text ? null : element('span', { class: 'muted' }, ` ${count_text(digits_of(text))} digits`);
     const near = value.d === 1n && short === text ? null : element('span', { class: 'near' }, `≈ ${decimal}`);
-    return element(
-      'div',
-      { class: 'row' },
-      element('dt', {}, name),
-      element(
-        'dd',
-        { 'data-exact': text },
-        element('span', { class: 'value' }, short),
-        digits,
-        near,
-        unit(units),
-        copy,
-      ),
-    );
+    const shown = element('span', { class: 'value' }, short);
+    return exact_fact(this.actions, name, text, shown, digits, near, unit(units));
   }
 
   contact_facts(point) {
@@ -134,14 +106,7 @@ export class Details {
   }
 
   buttons(points, name) {
-    const shown = points.slice(0, most_listed);
-    const rest = points.length - shown.length;
-    return element(
-      'div',
-      { class: 'chips' },
-      shown.map((point) => this.button(point, name(point))),
-      rest > 0 ? element('span', { class: 'muted' }, `and ${count_text(rest)} more`) : null,
-    );
+    return chips(points, (point) => this.button(point, name(point)));
   }
 
   button(point, text = point_name(this.complex, point)) {
@@ -329,7 +294,3 @@ function ways_text(orbits, families) {
 }
 
 const unit = (text) => element('span', { class: 'unit' }, text);
-
-function section(title, ...parts) {
-  return element('section', { class: 'facts' }, element('h4', {}, title), parts);
-}

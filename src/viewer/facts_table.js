@@ -2,7 +2,7 @@
 // some rows a page. Positions are those of the exact centres, rounded to the nearest doubles.
 // A row picks its point, wherever it is clicked.
 
-import { clickable_row } from './clickable_row.js';
+import { clickable_row, mark_rows } from './clickable_row.js';
 import { element, fill } from './element.js';
 import { nearest_double } from './exact_sphere.js';
 import { none } from './point_numbers.js';
@@ -106,9 +106,7 @@ export class FactsTable {
 
   set_picked(point) {
     this.picked = point;
-    for (const row of this.body.children)
-      if (Number(row.dataset.point) === point) row.setAttribute('aria-current', 'true');
-      else row.removeAttribute('aria-current');
+    mark_rows(this.body.children, (row) => Number(row.dataset.point) === point);
   }
 
   draw() {

@@ -13,7 +13,7 @@ const kinds = [
 ];
 
 // What is drawn of the picked point alone.
-const of_picked = ({ cells, pockets }) => [
+const of_picked = ({ cells, pockets, pores }) => [
   ...(cells
     ? [
         ['s3', 'S3 cells', cells.drawn.count, cells.of],
@@ -21,6 +21,7 @@ const of_picked = ({ cells, pockets }) => [
       ]
     : []),
   ...(pockets ? [['pockets', 'pockets', pockets.numbers.count, pockets.of]] : []),
+  ...(pores ? [['pockets', 'chambers', pores.chambers.length]] : []),
 ];
 
 // The atoms of a molecule, with the colours of the most frequent elements; of other inputs, samples as balls.
@@ -47,7 +48,7 @@ export class LayersBar {
       ...of_picked(complex.data),
     ].map(([name, text, count, of]) => [name, text, count, stroke(name), of]);
     this.buttons = new Map();
-    for (const [name, text, count, sign, of] of [...atoms_layer(complex), ...lines, ...points])
+    for (const [name, text, count, sign, of] of [...atoms_layer(complex), ...lines, ...(complex.pores ? [] : points)])
       if (count > 0)
         this.buttons.set(
           name,

@@ -5,6 +5,7 @@
 import { can_decode } from './blobs.js';
 import { Complex } from './complex.js';
 import { Page } from './page.js';
+import { PoresPage } from './pores_page.js';
 import { shown_name } from './statements.js';
 import { test_interface } from './test_interface.js';
 
@@ -20,14 +21,14 @@ async function start() {
   if (data === null) return say('This is the page without data. The command flowcert view fills it.');
   if (data.format !== 'flowcert-view' || data.format_version !== 1)
     return say('The data of this page are of another version.');
-  document.title = `${shown_name(data.name)} · flow complex`;
+  document.title = `${shown_name(data.name)} · ${data.pores ? 'pores' : 'flow complex'}`;
   if (!can_decode())
     return say('This browser cannot decompress the data (DecompressionStream). One of 2023 or later can.');
   timings.parsed_ms = performance.now();
   const complex = new Complex(data);
   await complex.load_first();
   timings.decoded_ms = performance.now();
-  const page = new Page(complex, timings);
+  const page = new (data.pores ? PoresPage : Page)(complex, timings);
   window.flowcert = test_interface(page);
   await page.begin(location.hash.includes('full'));
 }

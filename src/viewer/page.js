@@ -27,7 +27,7 @@ import { Threshold, no_limit } from './threshold.js';
 import { typical_radius } from './typical_radius.js';
 import { count_text, point_name } from './words.js';
 
-const by_id = (id) => document.getElementById(id);
+export const by_id = (id) => document.getElementById(id);
 const calm = () => matchMedia('(prefers-reduced-motion: reduce)').matches;
 const night = () => matchMedia('(prefers-color-scheme: dark)');
 const of_picked = ['s3', 'u1', 'pockets'];
@@ -47,7 +47,7 @@ export class Page {
   constructor(complex, timings) {
     Object.assign(this, { complex, timings });
     this.crowded = complex.set_count > crowd;
-    this.of_atoms = Boolean(complex.data.atoms) || (complex.has_balls && fills_space(complex));
+    this.of_atoms = Boolean(complex.data.atoms || complex.pores) || (complex.has_balls && fills_space(complex));
     this.state = new State(layers(this.of_atoms ? atom_layers : this.crowded ? crowded_layers : first_layers));
     this.state.see_through = this.of_atoms || !this.crowded;
     if (this.crowded && !this.of_atoms) this.state.limit = typical_radius(complex.set_radius);
@@ -114,14 +114,21 @@ export class Page {
     if (this.complex.point_count === 0) say('No points: this input is empty, and so is its flow complex.');
   }
 
-  make_parts() {
-    const { complex, state, actions } = this;
+  make_head() {
+    const { complex, state } = this;
     by_id('name').textContent = shown_name(complex.data.name);
     by_id('name').title = complex.data.name;
     by_id('summary').textContent = summary(complex);
     this.make_tools();
     this.make_tabs();
     this.layers = new LayersBar(by_id('layers'), complex, state);
+    key_list(by_id('keys'));
+    this.listen_to_scene();
+  }
+
+  make_parts() {
+    const { complex, state, actions } = this;
+    this.make_head();
     this.diagram = new PersistenceDiagram(by_id('diagram'), complex, state, actions);
     this.histogram = new Histogram(by_id('histogram'), complex, state, actions);
     const parts = { choice: by_id('modes'), slider: by_id('threshold'), line: by_id('threshold-line') };
@@ -131,8 +138,6 @@ export class Page {
     by_id('threshold-card').hidden = complex.set_count === 0;
     const signs = [0, 1, 2].map((dimension) => element('span', {}, glyph(dimension), String(dimension)));
     fill(by_id('diagram-legend'), 'dimension', signs);
-    key_list(by_id('keys'));
-    this.listen_to_scene();
     this.brush_changed();
     if (!this.scene) this.view_changed(null);
   }
@@ -147,7 +152,7 @@ export class Page {
       );
     fill(by_id('tools'), [
       scene && this.crowded ? tool('full', 'Full detail', actions.full, 'F', state.full) : null,
-      scene ? tool('through', 'See through', actions.see_through, 'S', state.see_through) : null,
+      scene && !this.complex.pores ? tool('through', 'See through', actions.see_through, 'S', state.see_through) : null,
       scene ? tool('reset', 'Show all', actions.reset, 'Home') : null,
       scene ? tool('picture', 'PNG', actions.picture, 'G: save a picture') : null,
       tool('theme', 'Dark', actions.theme, 'T: dark or light', this.theme === 'dark'),
@@ -277,7 +282,7 @@ export class Page {
     const color = (name) => style.getPropertyValue(name).trim();
     const words = {
       name: shown_name(this.complex.data.name),
-      caption: `${by_id('summary').textContent} · ${by_id('threshold-line').textContent}`,
+      caption: ['summary', 'threshold-line'].map((id) => by_id(id).textContent).filter(Boolean).join(' · '),
       paper: color('--desk'),
       ink: color('--ink'),
       muted: color('--muted'),

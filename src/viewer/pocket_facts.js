@@ -1,34 +1,20 @@
 // What a page with pockets says of them: of the picked point's pocket, and as a table of all that the page has.
 // `button` makes what picks a point by its number in the program's list.
 
-import { clickable_row } from './clickable_row.js';
+import { clickable_row, mark_rows } from './clickable_row.js';
 import { element, fill } from './element.js';
 import { near_root } from './exact_sphere.js';
+import { chips, fact } from './fact_parts.js';
+import { number_table } from './number_table.js';
 import { mouths_by_radius, pockets_at } from './pockets.js';
 import { none } from './point_numbers.js';
 import { count_text, short_number } from './words.js';
-
-const most_listed = 24;
 
 const of_units = (value, unit) => [
   element('span', { class: 'value' }, `≈ ${short_number(value)}`),
   ' ',
   element('span', { class: 'unit' }, unit),
 ];
-
-function fact(name, ...text) {
-  return element('div', { class: 'row' }, element('dt', {}, name), element('dd', {}, text));
-}
-
-function chips(points, button) {
-  const rest = points.length - most_listed;
-  return element(
-    'div',
-    { class: 'chips' },
-    points.slice(0, most_listed).map((point) => button(point)),
-    rest > 0 ? element('span', { class: 'muted' }, `and ${count_text(rest)} more`) : null,
-  );
-}
 
 // A pocket is picked by its first peak.
 function neighbour_chips(pockets, pocket, button) {
@@ -105,10 +91,10 @@ function least_depth({ squared_persistence }) {
 const caption = (pockets) =>
   `Pockets deeper than ${least_depth(pockets)}, the deepest first. Depths and widths in input units, volumes cubed.`;
 
-// The table of all pockets, the deepest first, some rows a page.
+// The table of all pockets, the deepest first.
 export class PocketTable {
   constructor(root, complex, actions) {
-    Object.assign(this, { root, complex, actions, shown: most_listed, around: [] });
+    Object.assign(this, { root, complex, actions, around: [] });
   }
 
   // The rows of the pockets of the point stand out.
@@ -116,39 +102,18 @@ export class PocketTable {
     const { pockets } = this.complex;
     this.around = point === none ? [] : pockets_at(this.complex, point);
     const numbers = this.around.map((pocket) => String(pockets.numbers[pocket]));
-    for (const row of this.root.querySelectorAll('tbody tr'))
-      if (numbers.includes(row.dataset.pocket)) row.setAttribute('aria-current', 'true');
-      else row.removeAttribute('aria-current');
+    mark_rows(this.root.querySelectorAll('tbody tr'), (row) => numbers.includes(row.dataset.pocket));
   }
 
   open() {
     const { pockets } = this.complex;
     if (!pockets) return fill(this.root, element('p', { class: 'empty' }, 'Loading.'));
     if (pockets.count === 0) return fill(this.root, element('p', { class: 'empty' }, 'There is no pocket here.'));
-    const rest = pockets.count - this.shown;
     const heads = ['pocket', 'depth', 'volume', 'mouths', 'widest'];
-    fill(
-      this.root,
-      element(
-        'div',
-        { class: 'table-scroll', tabindex: 0, role: 'region', 'aria-label': 'Table of pockets' },
-        element(
-          'table',
-          { class: 'numbers' },
-          element('caption', {}, caption(this.complex.data.pockets)),
-          element('thead', {}, element('tr', {}, heads.map((head) => element('th', { scope: 'col' }, head)))),
-          element('tbody', {}, pockets.by_depth.slice(0, this.shown).map((pocket) => this.row(pocket))),
-        ),
-      ),
-      rest > 0
-        ? element('button', { class: 'quiet', id: 'more-pockets', click: () => this.show_more() }, `${count_text(rest)} more`)
-        : null,
-    );
-  }
-
-  show_more() {
-    this.shown *= 4;
-    this.open();
+    const text = caption(this.complex.data.pockets);
+    const words = { label: 'Table of pockets', caption: text, heads, id: 'more-pockets' };
+    this.table ??= number_table(words, pockets.by_depth, (pocket) => this.row(pocket));
+    fill(this.root, this.table);
   }
 
   row(pocket) {

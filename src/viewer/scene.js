@@ -16,6 +16,7 @@ import { PocketMark } from './pocket_mark.js';
 import { pockets_at } from './pockets.js';
 import { PointCloud, paint_points, point_material } from './point_cloud.js';
 import { none } from './point_numbers.js';
+import { PoreMark } from './pore_mark.js';
 import { make_renderer } from './renderer.js';
 import { SeenThrough } from './seen_through.js';
 import { counts_by_kind, fitting_sets, most, shown } from './shown.js';
@@ -103,11 +104,11 @@ export class ComplexScene {
 
   bounding_radius() {
     if (this.radius_of_box === undefined) {
-      const { positions, sample_count } = this.complex;
+      const { positions, sample_count, radii, data } = this.complex;
       let most_squared = 0;
       for (let i = 0; i < 3 * sample_count; i += 3)
         most_squared = Math.max(most_squared, positions[i] ** 2 + positions[i + 1] ** 2 + positions[i + 2] ** 2);
-      this.radius_of_box = Math.sqrt(most_squared);
+      this.radius_of_box = Math.sqrt(most_squared) + (radii?.reduce((a, b) => Math.max(a, b), 0) ?? 0) / data.unit;
     }
     return this.radius_of_box;
   }
@@ -292,15 +293,16 @@ export class ComplexScene {
     this.redraw();
   }
 
-  // What is picked: a pocket alone, where it is picked as such. Otherwise the point: its sphere, its contact set with
-  // radii, its pocket with mouths, the cycle of its pair if that is picked, its S2, its cell S3 or its U1, its lines,
-  // and a ring around the points.
+  // What is picked: a chamber of a page with pores; a pocket alone, where it is picked as such. Otherwise the point: its
+  // sphere, its contact set with radii, its pocket with mouths, the cycle of its pair if that is picked, its S2, its
+  // cell S3 or its U1, its lines, and a ring around the points.
   mark_picked() {
     discard(this.marks, this.exact.geometry.attributes.position);
     this.lines.path.show(new Float32Array(0));
     this.marked = { ...nothing_marked };
     const { complex, state, palette } = this;
     const point = state.picked;
+    this.mark_pores();
     if (point === none || !this.size) return;
     const center = complex.frame_position(point);
     this.mark_pockets(point);
@@ -372,7 +374,18 @@ export class ComplexScene {
   mark_pockets(point) {
     const pockets = this.state.layers.pockets ? pockets_at(this.complex, point) : [];
     if (pockets.length === 0) return;
-    const mark = new PocketMark(this.complex, pockets, this.palette);
+    this.add_seen_through(new PocketMark(this.complex, pockets, this.palette));
+  }
+
+  // The chamber with its windows, and the balls that its peak, or the picked window, touches.
+  mark_pores() {
+    const { pores } = this.complex;
+    if (!pores?.chambers[this.state.chamber] || !this.size || !this.state.layers.pockets) return;
+    this.add_seen_through(new PoreMark(pores, this.state, this.palette));
+    this.mark_points(pores.witness(this.state).contact);
+  }
+
+  add_seen_through(mark) {
     Object.assign(this.marked, { pocket: mark.triangles, mouths: mark.mouths, outlines: mark.outlines });
     this.marks.add(mark.object);
   }

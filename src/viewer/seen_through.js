@@ -3,12 +3,13 @@
 
 import { Group, Mesh } from 'three';
 import { LineLayer } from './line_layer.js';
+import { mesh_of_positions } from './surface_mesh.js';
 
 export const orders = { depth: 5, through: 6, mouths: 7, outlines: 8 };
 
 export class SeenThrough {
   constructor(palette) {
-    Object.assign(this, { palette, object: new Group(), triangles: 0, outlines: 0 });
+    Object.assign(this, { palette, object: new Group(), triangles: 0, mouths: 0, outlines: 0 });
   }
 
   // Of a SurfaceMesh.
@@ -29,6 +30,16 @@ export class SeenThrough {
     depth.material.colorWrite = false;
     depth.onBeforeRender = (renderer) => renderer.clearDepth();
     again(orders.through, 0.6);
+  }
+
+  add_mouths(positions, opacity, color = 'mouths') {
+    if (positions.length === 0) return;
+    const mouths = mesh_of_positions(positions);
+    this.add_mesh(mouths, color);
+    this.mouths += mouths.count;
+    mouths.set_opacity(opacity);
+    mouths.object.renderOrder = orders.mouths;
+    Object.assign(mouths.material, { polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -8 });
   }
 
   // What the walls hide of the lines is thin and faint.

@@ -12,6 +12,8 @@ export class State {
     this.picked = none;
     this.as_pocket = false; // the point stands for its pocket, which is what is drawn
     this.as_pair = false; // the point stands for its pair, whose loop or void is drawn
+    this.chamber = none; // of a page with pores, with the one of its windows that is picked
+    this.window = none;
     this.level = 25; // at which that is, in percent of the way from birth to death
     this.full = false;
     this.see_through = false;

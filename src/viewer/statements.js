@@ -9,11 +9,15 @@ export const shown_name = (name) =>
   /^(\.{0,2}|[A-Za-z]:)[\\/]/.test(name) ? name.split(/[\\/]/).pop() || name : name;
 
 export function summary({ data, kind_counts }) {
+  if (data.pores) return `${count_text(data.points)} balls; ${pores_count(data.pores)}; radii: ${data.pores.radii}`;
   const regular = kind_counts[4] > 0 ? `, ${count_text(kind_counts[4])} regular stationary` : '';
   const merged = data.merged_duplicates > 0 ? ` (${count_text(data.merged_duplicates)} merged)` : '';
   const critical = data.critical.map(count_text).join(' + ');
   return `${count_text(data.points)} points${merged}; critical points of index 0 to 3: ${critical}${regular}`;
 }
+
+const pores_count = ({ chambers, depth }) =>
+  `${count_text(chambers.length)} chamber${chambers.length === 1 ? '' : 's'} of depth ${depth} or more`;
 
 function cells_line(complex) {
   if (!complex.data.cells) return null;
@@ -31,13 +35,25 @@ function atoms_line({ data, has_balls }) {
   return `Atoms are the samples, as balls in the colours of their elements; ${sticks}. Sticks say nothing of the flow.`;
 }
 
+const last_line = 'The page needs no network and sends nothing. It is under the MIT license and contains three.js.';
+
+const pores_lines = [
+  'Atoms are drawn as balls of their radii. A chamber is a room between them that is wider than its way out; the ball ' +
+    'of the widest probe that has room in it is drawn, and its windows, the narrowest places of its ways to other ' +
+    'rooms, as discs of the widest probe that passes.',
+  'Regions are those of the centres of probes, and the atoms are a finite set. What is drawn is rounded to 32-bit ' +
+    'floats. Values and places in the facts are exact, with the nearest doubles.',
+];
+
 export function about_lines(complex) {
   const { data } = complex;
   const program = `flowcert ${data.version} (commit ${data.commit}; kernel: ${data.kernel}`;
+  const made_by = `Made by ${program}; compiler: ${data.compiler}; CGAL ${data.cgal}).`;
+  if (data.pores) return [`Input: ${data.name}.`, made_by, ...pores_lines, last_line];
   return [
     thinned_data(data),
     `Input: ${data.name}, SHA-256 ${data.input_sha256}.`,
-    `Made by ${program}; compiler: ${data.compiler}; CGAL ${data.cgal}).`,
+    made_by,
     atoms_line(complex),
     'Samples are the points of index 0. S1 is what flows to a point of index 1, a Gabriel edge; ' +
       'S2 is what flows to one of index 2, a surface. ' +
@@ -46,7 +62,7 @@ export function about_lines(complex) {
     cells_line(complex),
     pockets_line(complex),
     'Positions in the scene are 32-bit floats. Those in the facts are exact, computed here from the samples.',
-    'The page needs no network and sends nothing. It is under the MIT license and contains three.js.',
+    last_line,
   ].filter(Boolean);
 }
 

@@ -22,15 +22,15 @@ namespace flowcert {
 namespace {
 
 template <class Kernel>
-void triangulate_with(const BallSet& balls, const auto& site_of, BallSlice& made) {
+void triangulate_with(std::span<const std::uint32_t> ids, const auto& site_of, BallSlice& made) {
   using Vertex = CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, Kernel,
                                                              CGAL::Regular_triangulation_vertex_base_3<Kernel>>;
   using Cell =
       CGAL::Triangulation_cell_base_with_info_3<std::uint32_t, Kernel, CGAL::Regular_triangulation_cell_base_3<Kernel>>;
   using Triangulation = CGAL::Regular_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
   std::vector<std::pair<typename Triangulation::Weighted_point, std::uint32_t>> sites;
-  sites.reserve(balls.visible().size());
-  for (const std::uint32_t id : balls.visible()) sites.emplace_back(site_of(id), id);
+  sites.reserve(ids.size());
+  for (const std::uint32_t id : ids) sites.emplace_back(site_of(id), id);
   const Triangulation regular(sites.begin(), sites.end());
   if (regular.dimension() < 3) return;
   std::uint32_t count = 0;
@@ -51,7 +51,7 @@ void triangulate_with(const BallSet& balls, const auto& site_of, BallSlice& made
 
 }  // namespace
 
-BallSlice::BallSlice(const BallSet& balls, const Rational& probe) {
+BallSlice::BallSlice(const BallSet& balls, std::span<const std::uint32_t> ids, const Rational& probe) {
   const geometry::IeeeDoubles ieee;
   const Rational grown = probe * balls.scale();
   // A sum and its square are doubles where they are exact: fma has no error to tell.
@@ -61,10 +61,10 @@ BallSlice::BallSlice(const BallSet& balls, const Rational& probe) {
     return Rational(sum) == balls.scaled(id)[3] + grown && std::isfinite(sum * sum) &&
            std::fma(sum, sum, -(sum * sum)) == 0;
   };
-  if (balls.are_doubles() && Rational(reach) == grown && std::ranges::all_of(balls.visible(), is_exact)) {
+  if (balls.are_doubles() && Rational(reach) == grown && std::ranges::all_of(ids, is_exact)) {
     using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
     triangulate_with<Kernel>(
-        balls,
+        ids,
         [&](std::uint32_t id) {
           const auto& [x, y, z, r] = balls.rounded(id);
           return Kernel::Weighted_point_3(Kernel::Point_3(x, y, z), (r + reach) * (r + reach));
@@ -74,7 +74,7 @@ BallSlice::BallSlice(const BallSet& balls, const Rational& probe) {
   }
   using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
   triangulate_with<Kernel>(
-      balls,
+      ids,
       [&](std::uint32_t id) {
         const auto number = [](const Rational& value) { return Kernel::FT(Kernel::FT::ET(value.backend().data())); };
         const auto& [x, y, z, r] = balls.scaled(id);

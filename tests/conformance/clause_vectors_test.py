@@ -3,7 +3,7 @@
 clause_vectors_test.py --self-test     asks of wrong tables, and sees them complained about
 
 The reasons are the table "Clauses without vectors" of formats/vectors.md. A clause that has three needs none. Each flag
-has three vectors, too. The numbers of vectors and of their distinct inputs in that page are right.
+has three vectors, too. The numbers of vectors of points, and of their distinct inputs, in that page are right.
 """
 import json
 import re
@@ -44,8 +44,8 @@ def sentences_on_inputs(cases):
     texts = {case["text"] for case in cases if "points" not in case}
     of_all, of_valid = len({rows for rows, _ in lists}), len({rows for rows, is_valid in lists if is_valid})
     valid = sum(case["result"] != "invalid" for case in cases)
-    return [f"The {len(cases):,} vectors have {of_all + len(texts):,} distinct inputs: {of_all:,} lists of points, "
-            f"and {len(texts)} texts of files.",
+    return [f"The {len(cases):,} vectors of points have {of_all + len(texts):,} distinct inputs: {of_all:,} lists of "
+            f"points, and {len(texts)} texts of files.",
             f"The {valid:,} vectors that are not invalid have {of_valid:,} of these lists."]
 
 
@@ -54,9 +54,11 @@ def check(spec):
     clauses = [name for page in pages for name in CLAUSE.findall(page.read_text())]
     files = [json.loads(path.read_text()) for path in sorted(spec.glob("vectors/*.json"))]
     cases = [case for file in files for case in file.get("cases", [])]
-    counts = Counter(name for case in cases for name in case["clauses"])
+    files += [json.loads(path.read_text()) for path in sorted(spec.glob("vectors/balls/*.json"))]
+    all_cases = [case for file in files for case in file.get("cases", [])]
+    counts = Counter(name for case in all_cases for name in case["clauses"])
     counts.update(one["clause"] for one in json.loads((spec / "judgements.json").read_text())["judgements"])
-    used = Counter(name for case in cases for name in case["flags"])
+    used = Counter(name for case in all_cases for name in case["flags"])
     flags = {one["flag"]: used[one["flag"]] for file in files for one in file.get("flags", [])}
     page = (spec / "formats/vectors.md").read_text()
     found = complaints_about(clauses, counts, flags, page)
@@ -64,8 +66,8 @@ def check(spec):
     found += [f"formats/vectors.md does not say: {one}" for one in sentences_on_inputs(cases) if one not in page]
     print("\n".join(found))
     few = sum(counts[name] < ENOUGH for name in clauses)
-    print(f"{len(clauses)} clauses, {few} of them with a reason; {len(cases)} vectors, {len(flags)} flags")
-    return 1 if found or not cases or not flags else 0
+    print(f"{len(clauses)} clauses, {few} of them with a reason; {len(all_cases)} vectors, {len(flags)} flags")
+    return 1 if found or len(cases) in (0, len(all_cases)) or not flags else 0
 
 
 def self_test():
@@ -83,7 +85,8 @@ def self_test():
     points = [["0", "0", "0"], ["1", "0", "0"]]
     cases = [{"points": points, "result": "determined"}, {"points": points[::-1], "result": "invalid"},
              {"points": points, "result": "acceptable"}, {"text": "1", "result": "invalid"}]
-    if sentences_on_inputs(cases) != ["The 4 vectors have 3 distinct inputs: 2 lists of points, and 1 texts of files.",
+    if sentences_on_inputs(cases) != ["The 4 vectors of points have 3 distinct inputs: 2 lists of points, and 1 texts of "
+                                      "files.",
                                       "The 2 vectors that are not invalid have 1 of these lists."]:
         failures.append("the inputs are counted otherwise")
     failures += [f"not noticed: {what}" for what, (n, of, table) in wrong.items()

@@ -30,5 +30,13 @@ TEST(MakeAllVectors, WritesUnstableSets) {
   expect_files_of_the_spec(folder, {"flags.json", "unstable-surfaces.json"});
 }
 
+TEST(MakeAllVectors, WritesPores) {
+  CITES("FC-BALL-03", "FC-BALL-05", "FC-BALL-09");
+  const Scratch folder;
+  EXPECT_EQ(make_vectors({folder.path(""), "pores"}).status, 0);
+  EXPECT_TRUE(content_of(folder.path("balls/pores.json")) ==
+              content_of(FLOWCERT_SPEC_FOLDER "/vectors/balls/pores.json"));
+}
+
 }  // namespace
 }  // namespace flowcert::conformance::make_all_vectors_test

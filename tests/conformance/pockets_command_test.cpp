@@ -372,5 +372,111 @@ TEST(PocketsCommand, RefusesWhatItCannotUse) {
   refuses({"--export", file}, "cannot be made");
 }
 
+// ---- With radii ----
+
+const std::string kCage = std::string(FLOWCERT_USER_INPUTS) + "/cage.xyz";
+// Four balls of radius 1, of FC-BALL-07.
+constexpr char kFourBalls[] = "2 2 2 1\n2 -2 -2 1\n-2 2 -2 1\n-2 -2 2 1\n";
+
+Finished cavities(const std::string& file, const std::string& radii, const std::string& probe, Words options = {}) {
+  options.insert(options.begin(), {"pockets", file, "--radii", radii, "--probe", probe});
+  return flowcert(options);
+}
+
+TEST(PocketsCommand, TellsTheCavityOfTheCage) {
+  CITES("FC-BALL-07", "FC-FILE-55");
+  const auto count = [](const char* probe) {
+    const Finished done = cavities(kCage, "bondi", probe, {"--csv", "-"});
+    EXPECT_EQ(done.status, 0) << done.err;
+    return lines_of(done.out).size() - 1;
+  };
+  // Its windows have the diameter 3.628998, and it has 5.397020.
+  EXPECT_EQ(count("1.0"), 0U);
+  EXPECT_EQ(count("1.8144"), 0U);
+  EXPECT_EQ(count("1.8145"), 1U);
+  EXPECT_EQ(count("2.6985"), 1U);
+  EXPECT_EQ(count("2.7"), 0U);
+  const Finished done = cavities(kCage, "bondi", "2.6985");
+  EXPECT_EQ(done.status, 0) << done.err;
+  EXPECT_NE(done.out.find("measured to the surfaces of the balls"), std::string::npos) << done.out;
+  EXPECT_NE(done.out.find("\nprobe                                     2.6985\n"), std::string::npos) << done.out;
+  EXPECT_NE(done.out.find("\ncavities                                       1\n"), std::string::npos) << done.out;
+  EXPECT_NE(done.out.find("       0     12  1 C, 15 C, 29 C, "), std::string::npos) << done.out;
+  for (const std::string& line : lines_of(done.out)) EXPECT_LE(line.size(), 80U) << line;
+  const Finished none = cavities(kCage, "bondi", "3");
+  EXPECT_EQ(none.status, 0) << none.err;
+  EXPECT_NE(none.out.find("\nno cavity: "), std::string::npos) << none.out;
+}
+
+TEST(PocketsCommand, WritesCavitiesOfBalls) {
+  CITES("FC-BALL-07", "FC-FILE-57");
+  const Scratch scratch;
+  const std::string file = scratch.file("balls.csv", std::string(kFourBalls) + "2 2 2 1\n2 2 2 0.5\n");
+  const std::string rows = scratch.path("rows.csv"), atoms = scratch.path("atoms.csv");
+  const Finished done = cavities(file, "column:4", "2.4", {"--json", "--csv", rows, "--atoms-csv", atoms});
+  ASSERT_EQ(done.status, 0) << done.err;
+  ordered_json json = ordered_json::parse(done.out);
+  for (const char* key : {"version", "commit", "kernel", "compiler", "cgal"}) EXPECT_EQ(json.erase(key), 1U) << key;
+  EXPECT_EQ(json.dump(),
+            "{\"format\":\"flowcert-cavities\",\"format_version\":1,\"radii\":\"column:4\",\"balls\":6,"
+            "\"hidden\":[4,5],\"probe\":\"12/5\",\"cavities\":[{\"lining\":[0,1,2,3,4]}]}");
+  EXPECT_EQ(content_of(rows), "cavity,lining,atoms\n0,5,0;1;2;3;4\n");
+  EXPECT_EQ(content_of(atoms),
+            "cavity,row,x,y,z,radius\n0,0,2,2,2,1\n0,1,2,-2,-2,1\n0,2,-2,2,-2,1\n0,3,-2,-2,2,1\n0,4,2,2,2,1\n");
+}
+
+TEST(PocketsCommand, NamesTheAtomsOfACavity) {
+  CITES("FC-FILE-57");
+  const Scratch scratch;
+  const std::string file =
+      scratch.file("cage.pdb",
+                   "HETATM    1  C1  LIG A   7       2.000   2.000   2.000  1.00  0.00           C\n"
+                   "HETATM    2  C2  LIG A   7       2.000  -2.000  -2.000  1.00  0.00           C\n"
+                   "HETATM    3  C3  LIG A   7      -2.000   2.000  -2.000  1.00  0.00           C\n"
+                   "HETATM    4  N4  LIG A   7      -2.000  -2.000   2.000  1.00  0.00           N\n");
+  const Finished json = cavities(file, "1", "2.3", {"--json"});
+  ASSERT_EQ(json.status, 0) << json.err;
+  const ordered_json cavity = ordered_json::parse(json.out)["cavities"][0];
+  EXPECT_EQ(cavity["lining"], (ordered_json{0, 1, 2, 3}));
+  EXPECT_EQ(cavity["atoms"], (ordered_json{"A LIG 7 C1", "A LIG 7 C2", "A LIG 7 C3", "A LIG 7 N4"}));
+  EXPECT_EQ(cavities(file, "1", "2.3", {"--csv", "-"}).out,
+            "cavity,lining,atoms,names\n0,4,0;1;2;3,A LIG 7 C1; A LIG 7 C2; A LIG 7 C3; A LIG 7 N4\n");
+  EXPECT_EQ(lines_of(cavities(file, "1", "2.3", {"--atoms-csv", "-"}).out).back(), "0,3,A,LIG,7,N4,N,-2,-2,2,1");
+}
+
+TEST(PocketsCommand, RefusesWhatIsNoneOfBalls) {
+  CITES("FC-FILE-55");
+  const auto refuses = [](Words options, const std::string& reason) {
+    options.insert(options.begin(), {"pockets", kCage});
+    const Finished done = flowcert(options);
+    EXPECT_EQ(done.status, 2) << done.out;
+    EXPECT_TRUE(done.out.empty()) << done.out;
+    EXPECT_NE(done.err.find(reason), std::string::npos) << done.err;
+    EXPECT_EQ(lines_of(done.err).size(), 1U) << done.err;
+  };
+  refuses({"--radii", "bondi"},
+          "--radii needs --probe R, a radius beyond the surfaces of atoms; for all probes at once");
+  const Words two_words[] = {{"--persistence", "0"}, {"--volumes", "double"}, {"--tree", "pockets"}, {"--export", "x"}};
+  for (const Words& one : two_words) {
+    refuses({"--radii", "bondi", "--probe", "2", one[0], one[1]},
+            one[0] + " is for pockets between points, and --radii takes atoms for balls");
+  }
+  refuses({"--finite", "--probe", "2"}, "--finite requires --radii");
+  refuses({"--radii", "bondi", "--probe", "-1"}, "--probe: not 0 or more: -1");
+  refuses({"--radii", "bondi", "--probe", "2", "--csv", "-", "--json"}, "only one of --csv, --atoms-csv and --json");
+}
+
+// Without radii, distances are to the centres, and the table says so.
+TEST(PocketsCommand, SaysThatAProbeIsMeasuredToCentres) {
+  CITES("FC-FILE-46");
+  const Finished atoms = flowcert({"pockets", kCage, "--probe", "3.1"});
+  EXPECT_NE(atoms.out.find("Distances are measured to the centres of atoms"), std::string::npos);
+  EXPECT_NE(atoms.out.find("   its distance to all centres\n"), std::string::npos) << atoms.out;
+  const Scratch scratch;
+  const Finished points = flowcert({"pockets", scratch.file("octahedron.xyz", kOctahedron), "--probe", "0.9"});
+  EXPECT_NE(points.out.find("Distances are measured to the points, which have no radii"), std::string::npos);
+  EXPECT_NE(points.out.find("its distance to all points"), std::string::npos) << points.out;
+}
+
 }  // namespace
 }  // namespace flowcert::conformance::pockets_command_test

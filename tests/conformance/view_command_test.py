@@ -45,6 +45,9 @@ INPUTS = {
 }
 
 
+CAGE = pathlib.Path(__file__).resolve().parents[1] / "inputs" / "cage.xyz"
+
+
 def run(*words, text="", status=0):
     done = subprocess.run([FLOWCERT, *map(str, words)], input=text.encode(), capture_output=True, check=False)
     if done.returncode != status:
@@ -677,6 +680,40 @@ class ViewTest(unittest.TestCase):
         self.assertEqual(pockets["squared_persistence"], "1/64")
         self.assertEqual(pockets["of"], len(pockets["depth"]))
         self.assertAlmostEqual(pockets["depth"][0], math.sqrt(0.75) - math.sqrt(0.5))
+
+    def test_balls_have_what_pores_says_of_them(self):
+        # The second ball is hidden in the first one, and the last two have one centre.
+        equal = "2 2 2 1\n2 2 2.25 0.5\n2 -2 -2 1\n-2 2 -2 1\n-2 -2 2 1\n-2 -2 2 1\n"
+        for text, radii, options in ((CAGE.read_text(), "bondi", ["--depth", "1/2", "--probe", "2"]),
+                                     (equal, "column:4", ["--depth", "0"]), ("# none\n", "1", [])):
+            data = view(text, "--radii", radii, *options)
+            told = json.loads(run("pores", "-", "--radii", radii, *options, "--json", text=text))
+            told.pop("cavities")
+            self.assertEqual(data["pores"], told)
+            self.assertEqual((data["format"], data["points"]), ("flowcert-view", told["balls"]))
+            self.assertEqual(data["sample_rows"], list(range(told["balls"])))
+            self.assertNotIn("records", data)
+            corners = []
+            for place, radius in zip(triples(data["samples"]), data["radii"], strict=True):
+                corners += [(x + side * radius - o) / data["unit"] for x, o in zip(place, data["origin"])
+                            for side in (-1, 1)]
+            self.assertAlmostEqual(max(map(abs, corners), default=1), 1)
+        self.assertEqual(view(equal, "--radii", "column:4")["radii"], [1, 0.5, 1, 1, 1, 1])
+        atoms = view(CAGE.read_text(), "--radii", "bondi")["atoms"]
+        self.assertEqual([atoms["elements"][k] for k in atoms["element"]], atoms["names"])
+
+    def test_radii_exclude_what_is_of_points(self):
+        with tempfile.TemporaryDirectory() as folder:
+            page = pathlib.Path(folder) / "page.html"
+            for options in (["--radii", "bondi", "--pockets", "auto"], ["--radii", "bondi", "--claim", CAGE],
+                            ["--radii", "bondi", "--cells"], ["--radii", "bondi", "--most", "5"], ["--depth", "1"],
+                            ["--radii", "bondi", "--depth", "-1"], ["--probe", "1"], ["--radii", "none"]):
+                done = subprocess.run([FLOWCERT, "view", CAGE, "-o", page, *options], capture_output=True, check=False)
+                self.assertEqual((done.returncode, done.stdout, done.stderr.count(b"\n")), (2, b"", 1), options)
+            self.assertFalse(page.exists())
+            done = run("view", CAGE, "-o", page, "--radii", "bondi", "--depth", "0.5")
+            self.assertIn("chambers                                       1   of depth 0.5 or more\n", done)
+            self.assertIn("cage.xyz", data_of(page.read_text())["name"])
 
     def test_no_points(self):
         data = view("# nothing\n")

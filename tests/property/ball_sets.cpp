@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <boost/multiprecision/gmp.hpp>
 #include <cmath>
 #include <set>
 
@@ -66,6 +68,34 @@ std::set<Place> any_places(Draw& draw, bool is_flat) {
   return places;
 }
 
+// One radius or coordinate is other by 2^-60, so that what was equal is so no more, and has one nearest double still.
+void move_a_little(Draw& draw, std::vector<Ball>& balls) {
+  Ball& ball = balls[static_cast<std::size_t>(draw.below(static_cast<int>(balls.size())))];
+  const Rational little = Rational(draw.below(2) == 0 ? 1 : -1) / Rational(0x1p60);
+  const int choice = draw.below(4);
+  (choice == 3 ? ball.radius : ball.centre[static_cast<std::size_t>(choice)]) += little;
+}
+
+// Each second corner of a box, and a ball that touches the widest probe in its middle but for 2^-60.
+std::vector<Ball> plugged_box(Draw& draw) {
+  using Integer = boost::multiprecision::mpz_int;
+  constexpr int kDigits = 60, kMiddle = 2;
+  const std::array<int, 3> half{1 + draw.below(2), 1 + draw.below(2), 1 + draw.below(2)};
+  const Rational radius = draw.radius(3);
+  std::vector<Ball> balls;
+  int square = 0;
+  for (const int length : half) square += length * length;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    if (std::popcount(corner) % 2 == 1) continue;
+    Ball& ball = balls.emplace_back(Ball{{kMiddle, kMiddle, kMiddle}, radius});
+    for (std::size_t k = 0; k < 3; ++k) ball.centre[k] += (corner >> k) % 2 == 0 ? half[k] : -half[k];
+  }
+  const Integer root = sqrt(Integer(Integer(square) << (2 * kDigits))) + draw.below(2);
+  const Rational distance(root, Integer(1) << kDigits);
+  balls.push_back({{kMiddle + 4, kMiddle, kMiddle}, 4 - distance + radius});
+  return balls;
+}
+
 // A radius with which the ball touches an earlier one, from outside or inside, where that is rational.
 void touch_some(Draw& draw, std::vector<Ball>& balls) {
   for (std::size_t i = 1; i < balls.size(); ++i) {
@@ -87,21 +117,28 @@ void touch_some(Draw& draw, std::vector<Ball>& balls) {
 }  // namespace
 
 DegenerateBalls degenerate_balls(std::uint64_t number) {
-  constexpr std::array<const char*, 8> kFamilies{"any",  "any",    "symmetric", "touching",
-                                                 "cage", "hidden", "flat",      "equal"};
+  constexpr std::array<const char*, 11> kFamilies{"any",  "any",   "symmetric", "touching", "cage",   "hidden",
+                                                  "flat", "equal", "nearly",    "closed",   "plugged"};
   Draw draw(number);
   DegenerateBalls made;
   made.family = kFamilies[static_cast<std::size_t>(draw.below(static_cast<int>(kFamilies.size())))];
-  const bool is_cage = made.family == "cage";
-  std::set<Place> places = made.family == "symmetric" ? symmetric_places(draw)
-                           : is_cage                  ? cage_places(draw)
-                                                      : any_places(draw, made.family == "flat");
+  if (made.family == "plugged") {
+    made.balls = plugged_box(draw);
+    return made;
+  }
+  const bool is_closed = made.family == "closed", is_cage = made.family == "cage" || is_closed;
+  const bool is_symmetric = made.family == "symmetric" || made.family == "nearly";
+  std::set<Place> places = is_symmetric ? symmetric_places(draw)
+                           : is_cage    ? cage_places(draw)
+                                        : any_places(draw, made.family == "flat");
   const Rational one = draw.radius();
   for (const auto& [x, y, z] : places) {
     if (made.balls.size() == kMostBalls) break;
-    const Rational radius = made.family == "symmetric" ? one : draw.radius(is_cage ? 2 : 6);
+    Rational radius = is_symmetric ? one : draw.radius(is_cage ? 2 : 6);
+    if (is_closed) radius += Rational(3, 2);
     made.balls.push_back({{x, y, z}, radius});
   }
+  if (made.family == "nearly") move_a_little(draw, made.balls);
   if (made.family == "touching") touch_some(draw, made.balls);
   const auto any = [&] { return static_cast<std::size_t>(draw.below(static_cast<int>(made.balls.size()))); };
   if (made.family == "hidden") made.balls[any()].radius = Rational(2 + draw.below(3));

@@ -1,5 +1,5 @@
 // Random sets of balls that are degenerate: integer centres, few radii, symmetric sets, cages, balls that touch or hide
-// each other, and equal ones.
+// each other, and equal ones; and sets that are degenerate but for 2^-60, with values that have one nearest double.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct DegenerateBalls {
   std::vector<Ball> balls;
 };
 
-// The same set for the same number, on every system. At most nine balls.
+// The same set for the same number, on every system. At most ten balls.
 [[nodiscard]] DegenerateBalls degenerate_balls(std::uint64_t number);
 
 }  // namespace flowcert::property

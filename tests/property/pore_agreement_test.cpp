@@ -2,16 +2,20 @@
 //
 // Guarantees: all critical points with their exact values, positions, indices and contacts; chambers with peaks, gates,
 // exits, windows and handles; vestibules; and cavities are compared exactly, at depths at which something changes. The
-// oracle's cavities come twice: from its ends, and from the nerve of the open balls by homology. The test fails too
-// when too few sets had chambers, ties, or two different values with one nearest double.
+// oracle's cavities come twice: from its ends, and from the nerve of the open balls by homology. For some probes, the
+// balls that line each cavity are compared, too. The test fails too when too few sets had chambers, ties, gates below 0,
+// or two different values with one nearest double, or when too few balls line cavities.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <set>
 #include <vector>
 
+#include "flowcert/ball_cavities.h"
 #include "flowcert/pores.h"
+#include "oracle/ball_linings.h"
 #include "oracle/pores.h"
 #include "tests/cites.h"
 #include "tests/property/ball_sets.h"
@@ -39,7 +43,8 @@ std::vector<oracle::Ball> told(const std::vector<Ball>& balls) {
 oracle::Places places(const Ids& numbers) { return {numbers.begin(), numbers.end()}; }
 
 struct Totals {
-  std::size_t points = 0, chambers = 0, windows = 0, vestibules = 0, ties = 0, below = 0;
+  std::size_t points = 0, chambers = 0, windows = 0, vestibules = 0, ties = 0, below = 0, lining = 0;
+  std::size_t one_double = 0;  // sets
 };
 
 void expect_same_points(const Pores& fast, const oracle::Pores& right) {
@@ -98,7 +103,16 @@ std::vector<oracle::Cavity> cavities_of(const Pores& fast) {
   return cavities;
 }
 
+bool has_values_of_one_double(const Pores& fast) {
+  for (std::uint32_t number = 1; number < fast.points().size(); ++number) {
+    const QuadraticNumber above = fast.value(number - 1), below = fast.value(number);
+    if (above != below && nearest_or_infinity(above) == nearest_or_infinity(below)) return true;
+  }
+  return false;
+}
+
 void count(const Pores& fast, Totals& totals) {
+  totals.one_double += has_values_of_one_double(fast);
   totals.points += fast.points().size();
   totals.chambers += fast.chambers().size();
   totals.windows += fast.windows().size();
@@ -119,6 +133,46 @@ std::set<Rational> depths_of(const Pores& all) {
   return depths;
 }
 
+// With few binary digits. 0 <= low < high.
+double between(double low, double high) {
+  double scale = 1;
+  while ((std::floor(low * scale) + 1) / scale >= high) scale *= 2;
+  return (std::floor(low * scale) + 1) / scale;
+}
+
+// All values that are rational, and numbers between values.
+std::set<oracle::Rational> probes_of(const oracle::Pores& right) {
+  std::set<oracle::Rational> probes = {0};
+  double above = 0;
+  for (const oracle::BallPoint& point : right.points) {
+    const auto& [a, b, d] = point.value;
+    if (b == 0) probes.insert(a);
+    const double near = a.convert_to<double>() + b.convert_to<double>() * std::sqrt(d.convert_to<double>());
+    if (near >= 0 && near < above) probes.insert(oracle::Rational(between(near, above)));
+    above = near;
+  }
+  return probes;
+}
+
+std::size_t cavities_at(const oracle::Pores& right, const oracle::Rational& probe) {
+  return static_cast<std::size_t>(std::ranges::count_if(right.cavities, [&](const oracle::Cavity& each) {
+    return (!each.gate || *each.gate < probe) && each.peak >= probe;
+  }));
+}
+
+void expect_same_cavities(const BallSet& balls, const std::vector<oracle::Ball>& same, const oracle::Pores& right,
+                          Totals& totals) {
+  for (const oracle::Rational& probe : probes_of(right)) {
+    SCOPED_TRACE("probe " + probe.str());
+    std::vector<oracle::Places> mine;
+    for (const BallCavity& cavity : ball_cavities(balls, Rational(probe.str()))) mine.push_back(places(cavity.atoms));
+    ASSERT_EQ(mine.size(), cavities_at(right, probe));
+    if (mine.empty()) continue;
+    EXPECT_EQ(mine, oracle::cavity_linings(same, right, probe));
+    for (const oracle::Places& each : mine) totals.lining += each.size();
+  }
+}
+
 TEST(PoreAgreement, FastIsTheOracleOnDegenerateBalls) {
   CITES("FC-BALL-02", "FC-BALL-03", "FC-BALL-05", "FC-BALL-07", "FC-BALL-09");
   const auto sets = static_cast<std::uint64_t>(
@@ -136,16 +190,22 @@ TEST(PoreAgreement, FastIsTheOracleOnDegenerateBalls) {
     EXPECT_EQ(cavities_of(all), right.cavities);
     EXPECT_EQ(cavities_of(all), oracle::cavities_by_homology(same));
     count(all, totals);
+    expect_same_cavities(balls, same, right, totals);
     const std::set<Rational> depths = depths_of(all);
     if (depths.empty()) continue;
     const Rational depth = *std::next(depths.begin(), static_cast<std::ptrdiff_t>(number % depths.size()));
     expect_same_rooms(Pores(balls, depth), oracle::pores(same, oracle::Rational(flowcert::to_text(depth))));
   }
-  std::printf("%llu sets: %zu points, %zu chambers, %zu windows, %zu vestibules, %zu unions of ties, %zu gates < 0\n",
-              static_cast<unsigned long long>(sets), totals.points, totals.chambers, totals.windows, totals.vestibules,
-              totals.ties, totals.below);
+  std::printf(
+      "%llu sets: %zu points, %zu chambers, %zu windows, %zu vestibules, %zu unions of ties, %zu gates < 0, "
+      "%zu with values of one double, %zu balls line cavities\n",
+      static_cast<unsigned long long>(sets), totals.points, totals.chambers, totals.windows, totals.vestibules,
+      totals.ties, totals.below, totals.one_double, totals.lining);
   EXPECT_GE(totals.chambers, sets / 4);
   EXPECT_GE(totals.ties, sets / 50);
+  EXPECT_GE(totals.below, sets / 50);
+  EXPECT_GE(totals.one_double, sets / 20);
+  EXPECT_GE(totals.lining, sets);
 }
 
 }  // namespace

@@ -60,7 +60,8 @@ def test_arrays_have_shapes_and_units_in_their_docstrings():
         for field in cls._fields:
             assert re.search(rf"^\s*{field}\s+\(.*\) (float|int)\d+", cls.__doc__, re.MULTILINE), (cls, field)
     classes = ("Segment", "Limit", "Orbit", "Direction", "LambdaList", "Finding", "CheckReport", "SurfaceCorner",
-               "UnstableInterval", "UnstableSheet", "UnstableSegment", "UnstableSurface")  # fmt: skip
+               "UnstableInterval", "UnstableSheet", "UnstableSegment", "UnstableSurface", "Chamber", "Window",
+               "QuadraticNumber")  # fmt: skip
     for cls in (getattr(flowcert, name) for name in classes):
         for field in cls.__dataclass_fields__:
             assert re.search(rf"^\s*([a-z_]+, )?{field}[ ,]", cls.__doc__, re.MULTILINE), (cls, field)
@@ -68,13 +69,15 @@ def test_arrays_have_shapes_and_units_in_their_docstrings():
     assert all(re.search(rf"^ *{field} ", flowcert.FlowComplex.stationary_points.__doc__, re.M) for field in fields)
     fields = flowcert.FlowComplex(CUBE).connections.dtype.names
     assert all(re.search(rf"^ *{field} ", flowcert.FlowComplex.connections.__doc__, re.M) for field in fields)
+    fields = flowcert.pores(CUBE, 0.5).points.dtype.names
+    assert all(re.search(rf"^ *{field} ", flowcert.Pores.points.__doc__, re.M) for field in fields)
     pair_fields = flowcert.FlowComplex(CUBE).persistence_pairs().dtype.names
     assert all(field in flowcert.FlowComplex.persistence_pairs.__doc__ for field in pair_fields)
 
 
 def test_help_shows_what_there_is():
     text = pydoc.render_doc(flowcert, renderer=pydoc.plaintext)
-    for words in ("FlowComplex(points)", "check(points, claim)", "the square of", "GNU General Public License"):
+    for words in ("FlowComplex(points)", "pores(points, radii)", "the square of", "GNU General Public License"):
         assert words in text
     text = pydoc.render_doc(flowcert.FlowComplex, renderer=pydoc.plaintext)
     for words in ("What is copied", "critical_points", "contact_offsets", "index2-radius<R", "GUDHI's form"):
@@ -99,7 +102,9 @@ def stub_of(tree):
 def test_the_stub_is_that_of_the_extension():
     stub = stub_of(ast.parse((PACKAGE / "_core.pyi").read_text(encoding="utf-8")))
     real = {name for name in vars(_core) if not name.startswith("__")}
-    real |= {f"Complex.{name}" for name in vars(_core.Complex) if not name.startswith("_") or name == "__init__"}
+    for cls in (_core.Complex, _core.Pores):
+        names = (name for name in vars(cls) if not name.startswith("_") or name == "__init__")
+        real |= {f"{cls.__name__}.{name}" for name in names}
     assert set(stub) == real
     for name, arguments in stub.items():
         part = _core

@@ -34,7 +34,7 @@ import answering
 
 HERE = Path(__file__).resolve().parent
 PYTHON = "/usr/bin/python3"  # Debian's, which has Debian's modules
-PACKAGES = ["python3-gudhi", "gudhi-utils", "libcgal-dev", "python3-scipy", "tetgen", "libgmp10"]
+PACKAGES = ["python3-gudhi", "gudhi-utils", "libcgal-dev", "python3-scipy", "tetgen", "libgmp10", "voronota"]
 # What is wrong for no other reason than that a critical point is no simplex, or that a stationary point is none.
 TIES = {"missed-by-cluster", "contact-incomplete", "collision-as-critical", "claimed-twice", "wrong-counts"}
 VECTOR_LIMIT = 600  # seconds
@@ -515,6 +515,8 @@ def report(options):
     for part in ("campaigns", "smallest", "kept"):
         subprocess.run(["rm", "-rf", rivals.folder / part], check=True)
     asked = [p for p in programs(compiled(rivals.folder)) if options.only in (None, p.name)]
+    if not asked:
+        return
     verdicts = dict(zip([p.name for p in asked], in_turn(options.jobs, rivals.ask_vectors, asked, "vectors")))
     add_to_record(options.record, "critical points", {name: {vector: outcome for vector, (outcome, _) in of.items()}
                                                       for name, of in verdicts.items()})

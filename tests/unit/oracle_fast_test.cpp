@@ -1,5 +1,6 @@
 // fast::PointSet against the plain one: each of its functions, and what all of the oracle makes of them, on
-// inputs of all families and on hand-made ones, from subnormals to the largest doubles.
+// inputs of all families and on hand-made ones, from subnormals to the largest doubles. Critical points of balls from
+// near subsets against those from all.
 //
 // Guarantees: exact equality; and each sort of answer that a function can give was among those compared.
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include <string>
 
 #include "fuzz/inputs/stable_configurations.h"
+#include "oracle/fast/near_balls.h"
 #include "oracle/fast/point_set.h"
 #include "oracle/orbit.h"
 #include "oracle/persistence.h"
@@ -180,6 +182,31 @@ TEST(OracleFast, AgreesOnHandMadeInputs) {
 TEST(OracleFast, AgreesOnAllFamilies) {
   CITES("FC-DIST-01", "FC-CRIT-05", "FC-FLOW-01", "FC-NUM-01", "FC-STAB-04");
   expect_all_sorts(compared(drawn_cases()), 40);
+}
+
+TEST(OracleFast, FindsTheSamePointsOfBalls) {
+  CITES("FC-BALL-03");
+  std::size_t points = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    flowcert_tests::PortableRandom random(seed);
+    std::vector<Ball> balls;
+    const auto number = [&](int most) { return Rational(random.between(0, most)); };
+    for (int k = 0; k < 14; ++k) {
+      balls.push_back({{number(9), number(9), number(9)}, Rational(random.between(1, 8), 4)});
+    }
+    const std::vector<BallPoint> right = critical_points(balls), found = fast::critical_points(balls);
+    ASSERT_EQ(found.size(), right.size());
+    for (std::size_t k = 0; k < right.size(); ++k) {
+      EXPECT_EQ(found[k].index, right[k].index);
+      EXPECT_EQ(found[k].contacts, right[k].contacts);
+      EXPECT_EQ(found[k].value, right[k].value);
+    }
+    std::size_t all = 0;
+    for_each_subset(balls.size(), 4, [&](const Places&) { ++all; });
+    EXPECT_LT(fast::near_subsets(balls).size(), all);
+    points += right.size();
+  }
+  EXPECT_GE(points, 100U);
 }
 
 TEST(OracleFast, RefusesWhatThePlainOneRefuses) {

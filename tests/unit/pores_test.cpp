@@ -212,6 +212,72 @@ TEST(BallCavities, AreAsManyAsTheIntervalsSay) {
   }
 }
 
+std::vector<Ids> linings(const std::vector<Ball>& balls, const Rational& probe) {
+  std::vector<Ids> found;
+  for (const BallCavity& cavity : ball_cavities(BallSet(balls), probe)) found.push_back(cavity.atoms);
+  return found;
+}
+
+// Six balls whose centres are 8 from the middle, and that leave a room there for a probe of radius 1/4.
+std::vector<Ball> shell() {
+  const Rational r(27, 4);
+  return box(8, 0, 0, r) + box(0, 8, 0, r) + box(0, 0, 8, r);
+}
+
+TEST(BallCavities, AreLinedByAllThatTouchThem) {
+  CITES("FC-BALL-07");
+  const Rational half(1, 2), quarter(1, 4);
+  const std::vector<Ball> octahedron = box(2, 0, 0, half) + box(0, 2, 0, half) + box(0, 0, 2, half);
+  const std::vector<Ids> six = {{0, 1, 2, 3, 4, 5}};
+  EXPECT_EQ(linings(octahedron, Rational(6, 5)), six);
+  EXPECT_EQ(linings(octahedron, Rational(3, 2)), six);  // a place alone
+  EXPECT_TRUE(linings(octahedron, Rational(1501, 1000)).empty());
+  EXPECT_EQ(linings(box(1, 1, 1, half), 1), (std::vector<Ids>{{0, 1, 2, 3, 4, 5, 6, 7}}));
+  // A ball in the middle of the room, one that fills the room, and one outside of it.
+  const std::vector<Ids> seven = {{0, 1, 2, 3, 4, 5, 6}};
+  EXPECT_EQ(linings(shell() + std::vector{ball(0, 0, 0, Rational(1, 8))}, quarter), seven);
+  EXPECT_TRUE(linings(shell() + std::vector{ball(0, 0, 0, 2)}, quarter).empty());
+  EXPECT_EQ(linings(shell() + std::vector{ball(0, 0, 30, 2)}, quarter), six);
+}
+
+// The third ball is between the first two, in whose union it is, and touches the room above them at (0,4,0) or not. It
+// is the nearest ball in a part of the room in both cases.
+TEST(BallCavities, AreNotLinedByWhatOthersCover) {
+  CITES("FC-BALL-07");
+  const auto crease = [](const Rational& radius) {
+    return linings({ball(3, 0, 0, 5), ball(-3, 0, 0, 5), ball(0, 3, 0, radius), ball(0, 13, 0, 5), ball(7, 7, 0, 6),
+                    ball(-7, 7, 0, 6), ball(0, 7, 7, 6), ball(0, 7, -7, 6)},
+                   0);
+  };
+  EXPECT_EQ(crease(1), (std::vector<Ids>{{0, 1, 2, 3, 4, 5, 6, 7}}));
+  EXPECT_EQ(crease(Rational(999, 1000)), (std::vector<Ids>{{0, 1, 3, 4, 5, 6, 7}}));
+}
+
+TEST(BallCavities, AreLinedByWhatIsTangentInside) {
+  CITES("FC-BALL-02", "FC-BALL-07");
+  const Rational quarter(1, 4), inner(27, 8), x = 8 - inner;
+  // It touches the first ball at the side of the room; the next ones do so elsewhere, or do not touch it.
+  std::vector<Ball> balls = shell() + std::vector{ball(-x, 0, 0, inner), ball(-8 - inner, 0, 0, inner),
+                                                  ball(-8, inner, 0, inner), ball(-8, 0, 0, inner)};
+  EXPECT_EQ(linings(balls, quarter), (std::vector<Ids>{{0, 1, 2, 3, 4, 5, 6}}));
+  // Equal ones line what their twins do.
+  balls.push_back(balls[6]);
+  balls.push_back(balls[1]);
+  balls.push_back(balls[7]);
+  EXPECT_EQ(linings(balls, quarter), (std::vector<Ids>{{0, 1, 2, 3, 4, 5, 6, 10, 11}}));
+}
+
+// Grown by 1, the middle one of three balls has the plane between the others for its cell.
+TEST(BallCavities, AreLinedByABallWhoseCellIsFlat) {
+  CITES("FC-BALL-07");
+  std::vector<Ball> balls = box(3, 0, 6, 4);
+  balls.erase(balls.begin() + 2);  // (3,0,-6)
+  balls.erase(balls.begin());      // (-3,0,-6)
+  const std::vector<Ball> others = box(6, 0, 0, 4) + box(0, 6, 0, 4) + std::vector{ball(0, 0, -6, 4)};
+  EXPECT_EQ(linings(balls + others + std::vector{ball(0, 0, 6, 3)}, 1), (std::vector<Ids>{{0, 1, 2, 3, 4, 5, 6, 7}}));
+  EXPECT_EQ(linings(std::vector{ball(0, 0, 6, 3)} + balls + others, 1), (std::vector<Ids>{{0, 1, 2, 3, 4, 5, 6, 7}}));
+}
+
 // Peaks and gates are those of the merge tree of the centres, less the radius.
 TEST(Pores, OfEqualRadiiAreThoseOfTheFlowComplex) {
   CITES("FC-BALL-10");

@@ -31,7 +31,9 @@ BALL_WITH_TRIANGLE = (
     "2 -7 -7; 3 6 -8; -5 -2 -8; 4 -2 -9; -1 2 -10; 8 0 1; 8 0 -1; 6 0 0"
 )
 
-BARREL = pathlib.Path(__file__).resolve().parents[1] / "inputs" / "barrel.pdb"
+FILES = pathlib.Path(__file__).resolve().parents[1] / "inputs"
+BARREL = FILES / "barrel.pdb"
+CAGE, CAGE_OPTIONS = FILES / "cage.xyz", ["--radii", "bondi", "--depth", "0.5", "--probe", "2"]
 
 
 def pdb_line(number, name, element, position):

@@ -3,8 +3,8 @@
 
 usage: pictures.py FLOWCERT FOLDER
 
-Guarantees: the bunny's reconstruction, a degenerate input with its highest maximum picked, and the bunny's longest
-tunnels, which an example of the Python package draws; PNG, at most 300 KB each.
+Guarantees: the bunny's reconstruction, a degenerate input with its highest maximum picked, a cage of atoms with its
+windows, and the bunny's longest tunnels, which an example of the Python package draws; PNG, at most 300 KB each.
 """
 import os
 import pathlib
@@ -89,6 +89,8 @@ def main():
 
         take(browser, program.page("bunny", None), folder / "bunny.png", smooth)
         take(browser, program.page("cube-with-tents", inputs.PICTURE), folder / "degenerate.png", pick_highest)
+        cage = program.page("cage", inputs.CAGE.read_text(), inputs.CAGE_OPTIONS)
+        take(browser, cage, folder / "cage.png")
         take_tunnels(browser, pathlib.Path(sys.argv[1]).resolve().parent, pathlib.Path(temporary),
                      folder / "tunnels.png")
 

@@ -16,7 +16,9 @@ What there is:
     FlowComplex(points)     critical points, persistence, surfaces, lines, orbits, volumes, connections
     check(points, claim)    whether critical points that you have computed are right, and which are not
     represents(loops, pair) whether loops stand for a tunnel
-    read_points(path)       the points of a PLY, OBJ, OFF or text file
+    pores(points, radii)    the rooms between atoms with radii, with their gates and windows
+    read_points(path)       the points of a PLY, OBJ, OFF or text file, or the atoms of a molecule
+    read_balls(path, radii) these with their radii, exactly
     generate(family, seed)  degenerate inputs to test programs with
     families()              the names of the families, with a line on each
 
@@ -38,10 +40,13 @@ from ._limits import Direction, LambdaList
 from ._manifolds import Lines, Mesh, Surfaces
 from ._orbit import Limit, Orbit, Segment
 from ._pockets import Places, Pocket, Pockets
-from ._read_points import read_points
+from ._pores import Chamber, Pores, Window, pores
+from ._quadratic_number import QuadraticNumber
+from ._read_points import read_balls, read_points
 from ._unstable import SurfaceCorner, UnstableInterval, UnstableSegment, UnstableSheet, UnstableSurface
 
 __all__ = [
+    "Chamber",
     "CheckReport",
     "Direction",
     "Finding",
@@ -56,6 +61,8 @@ __all__ = [
     "Places",
     "Pocket",
     "Pockets",
+    "Pores",
+    "QuadraticNumber",
     "Segment",
     "SurfaceCorner",
     "Surfaces",
@@ -63,11 +70,14 @@ __all__ = [
     "UnstableSegment",
     "UnstableSheet",
     "UnstableSurface",
+    "Window",
     "__made_by__",
     "__version__",
     "check",
     "families",
     "generate",
+    "pores",
+    "read_balls",
     "read_points",
     "represents",
 ]

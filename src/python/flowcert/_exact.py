@@ -38,6 +38,12 @@ def decimal(value):
     return _core.decimal_text(hexadecimal(value))
 
 
+def words(value, name):
+    """What commands take: a str as it is, or a number, exactly."""
+    text = value if isinstance(value, str) else decimal(exact(value, name))
+    return text.encode(errors="replace")
+
+
 @in_ieee_doubles
 def exact(value, name):
     """The number as a Fraction; name is what messages call it."""

@@ -4,28 +4,22 @@ import operator
 import re
 from fractions import Fraction
 from html import escape
-from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core, _exact, _judge
+from ._balls import ball_rows, length
 from ._cycles import Cycle, Loop, cycle_of, edges_of
 from ._limits import LambdaList, lambda_list_of
 from ._manifolds import Lines, Mesh, Surfaces
 from ._orbit import Orbit, Position, orbit_of
 from ._pockets import Places, Pockets, pockets_of
-from ._points import point_rows, shown
+from ._points import point_rows, shown, thread_count
 from ._unstable import UnstableSurface, unstable_surface_of
 
 _KINDS = ((1, 2), (1, 3), (2, 3))
-_MOST_THREADS = 1024
-
-
-def _words(value: Any, name: str) -> bytes:
-    """What commands take: a str as it is, or a number, exactly."""
-    text = value if isinstance(value, str) else _exact.decimal(_exact.exact(value, name))
-    return text.encode(errors="replace")
 
 
 class FlowComplex:
@@ -62,11 +56,8 @@ class FlowComplex:
     """
 
     def __init__(self, points: ArrayLike, threads: Optional[int] = None, *, unlimited: bool = False) -> None:
-        if threads is not None:
-            threads = operator.index(threads)
-            if not 1 <= threads <= _MOST_THREADS:
-                raise ValueError(f"threads must be from 1 to {_MOST_THREADS}")
-        self._core = _core.Complex(point_rows(points), threads or 0, bool(unlimited))
+        threads = thread_count(threads)
+        self._core = _core.Complex(point_rows(points), threads, bool(unlimited))
         self._unlimited = bool(unlimited)
         self._stationary: Optional[Tuple[NDArray[Any], NDArray[np.int64]]] = None
 
@@ -280,7 +271,11 @@ class FlowComplex:
         """
         return Places(*self._core.locate(point_rows(x)))
 
-    def pockets(self, persistence: Any = "auto", probe: Any = None) -> Pockets:
+    @overload
+    def pockets(self, persistence: Any = "auto", probe: Any = None) -> Pockets: ...
+    @overload
+    def pockets(self, *, radii: Any, probe: Any) -> List[NDArray[np.int64]]: ...
+    def pockets(self, persistence: Any = "auto", probe: Any = None, *, radii: Any = None) -> Any:
         """Pockets: what flows to the same maxima, merged by persistence, with their mouths. Distances are measured to
         the points, which have no radii: of atoms, to their centres.
 
@@ -296,13 +291,20 @@ class FlowComplex:
         (1.3333333333333333, Fraction(1, 3), 8, 'channel')
         >>> len(fc.pockets(Fraction(1, 5)).pockets)
         0
+
+        radii: of the points as balls, as pores() takes them. The answer is another one then, the cavities for a probe
+        whose radius is beyond the balls' surfaces: rooms that have a place for it, and no way out. A list of int64
+        arrays: for each the rows of the balls that bound it, ascending. Repeated rows are balls of their own.
+
+        >>> [rows.tolist() for rows in fc.pockets(radii="1/4", probe="0.7")]
+        [[0, 1, 2, 3, 4, 5]]
         """
-        radius = None if probe is None else _exact.exact(probe, "probe")
-        if radius is not None and radius < 0:
-            raise ValueError("probe: not 0 or more")
-        return pockets_of(
-            self._core.pockets(_words(persistence, "persistence"), None if radius is None else _exact.hexadecimal(radius))
-        )
+        radius = None if probe is None else _exact.hexadecimal(length(probe, "probe"))
+        if radii is None:
+            return pockets_of(self._core.pockets(_exact.words(persistence, "persistence"), radius))
+        if radius is None or persistence != "auto":
+            raise ValueError("radii: with a probe, and without a persistence")
+        return _core.ball_cavities(ball_rows(self.points, radii), radius)
 
     def cycles(
         self,
@@ -340,9 +342,9 @@ class FlowComplex:
             for cycle in self._core.cycles(
                 dimension,
                 longest,
-                None if persistence is None else _words(persistence, "persistence"),
+                None if persistence is None else _exact.words(persistence, "persistence"),
                 names,
-                _words(level, "level"),
+                _exact.words(level, "level"),
             )
         ]
 

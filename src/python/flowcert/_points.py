@@ -5,6 +5,7 @@ No coordinate is ever rounded: what is no double is refused.
 
 import decimal
 import numbers
+import operator
 import os
 
 import numpy as np
@@ -12,29 +13,35 @@ import numpy as np
 from . import _exact
 
 _LARGEST_EXACT = 2**53  # every integer up to this one is a double
+_MOST_THREADS = 1024
 
 
 @_exact.in_ieee_doubles
 def point_rows(points):
     """The aligned (n, 3) array of doubles in C order; points itself where it is one."""
+    return np.require(_float64(rows_of_three(points, "read_points({})")), requirements=["C", "A"])
+
+
+def rows_of_three(points, reader):
+    """The (n, 3) array, of any type. reader is what messages call for the name of a file."""
     if isinstance(points, (str, bytes, os.PathLike)):
-        name = os.fsdecode(points)
-        raise TypeError(f"points is the name of a file, {name!r}: flowcert.read_points({name!r}) has its points")
-    array = _as_array(points)
+        name = repr(os.fsdecode(points))
+        raise TypeError(f"points is the name of a file, {name}: flowcert.{reader.format(name)} has its points")
+    array = as_array(points, "points")
     if array.ndim == 2 and array.shape[1] == 2:
         raise ValueError("points must have three coordinates: numpy.insert(points, 2, 0, axis=1) makes their z 0")
     if array.ndim != 2 or array.shape[1] != 3:
         raise ValueError(f"points must have the shape (n, 3), not {array.shape}")
-    return np.require(_float64(array), requirements=["C", "A"])
+    return array
 
 
-def _as_array(points):
-    if np.ma.is_masked(points):
-        raise ValueError("points has masked values")
-    if hasattr(points, "__array__"):
-        return np.asarray(points)
+def as_array(values, name):
+    if np.ma.is_masked(values):
+        raise ValueError(f"{name} has masked values")
+    if hasattr(values, "__array__"):
+        return np.asarray(values)
     # NumPy would round integers in a list that has floats as well.
-    return np.array(points, dtype=object)
+    return np.array(values, dtype=object)
 
 
 def _float64(array):
@@ -90,6 +97,16 @@ def _double(value):
 def _refuse(array, is_wrong):
     if is_wrong.any():
         raise ValueError(f"{shown(array[is_wrong][0])} in points is not exactly a double")
+
+
+def thread_count(threads):
+    """As the library takes it: 0 are all cores."""
+    if threads is None:
+        return 0
+    threads = operator.index(threads)
+    if not 1 <= threads <= _MOST_THREADS:
+        raise ValueError(f"threads must be from 1 to {_MOST_THREADS}")
+    return threads
 
 
 def shown(value):

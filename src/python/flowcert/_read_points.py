@@ -1,4 +1,4 @@
-"""Point files, as every command of flowcert reads them."""
+"""Point files, as every command of flowcert reads them, and atoms with their radii."""
 
 import os
 import warnings
@@ -7,7 +7,7 @@ from typing import Any, Optional, Sequence, Tuple, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _core
+from . import _core, _exact
 
 
 def file_name(path: Union[str, bytes, "os.PathLike[str]", "os.PathLike[bytes]"]) -> bytes:
@@ -51,16 +51,45 @@ def read_points(
     Coordinates are the doubles that the file means. A file that can be read in two ways, or in none, is a ValueError
     with its name and line. What a command tells as a note is a warning.
     """
+    rows, _, more = _read(
+        path, None, False, format, columns, z, atoms, chains, models, frame, skip_invalid, return_left_out,
+        return_atoms, unlimited)  # fmt: skip
+    return (rows, *more) if more else rows
+
+
+def read_balls(
+    path: Union[str, bytes, "os.PathLike[str]", "os.PathLike[bytes]"], radii: Any, *, finite: bool = False,
+    **options: Any,
+) -> Tuple[NDArray[Any], ...]:  # fmt: skip
+    """The atoms of a file with their radii, as pores() takes them: (points, radii), arrays of Fractions, (n, 3) and
+    (n,), in the unit of the file.
+
+    Decimals are taken as they are written, and floats of binary files as the doubles that they are.
+    radii: a number for all, or as --radii of the commands takes it: "bondi" or "alvarez", by element; "pqr", those of a
+    PQR file; "column:4" of a table; "table:FILE", lines with an element and its radius; each also with overrides behind
+    it, as "bondi,Fe=2.04".
+    finite: take the atoms of a crystal's cell, which are refused else, without their copies.
+    Other arguments are those of read_points; what is returned for return_left_out and return_atoms comes behind.
+    """
+    words = os.fsencode(radii) if isinstance(radii, str) else _exact.words(radii, "radii")
+    _, balls, more = _read(path, words, bool(finite), **{**(read_points.__kwdefaults__ or {}), **options})
+    centres = np.array([_exact.fractions(centre) for centre, _ in balls], dtype=object).reshape(-1, 3)
+    return (centres, np.array([_exact.fraction(radius) for _, radius in balls], dtype=object), *more)
+
+
+def _read(path, radii, finite, format, columns, z, atoms, chains, models, frame, skip_invalid, return_left_out,
+          return_atoms, unlimited):  # fmt: skip
+    """(rows, balls, more)"""
     if not isinstance(columns, str):
         columns = ",".join(str(column) for column in columns)
     if not isinstance(models, str):
         models = str(models) if isinstance(models, int) else ",".join(str(model) for model in models)
-    rows, notes, left_out, names = _core.read_points(
+    rows, notes, left_out, names, balls = _core.read_points(
         file_name(path), format, columns, z, _words(atoms), _words(chains), models, frame, skip_invalid, unlimited,
-        return_atoms)  # fmt: skip
+        finite, return_atoms, radii)  # fmt: skip
     for line, text in notes:
-        warnings.warn(f"{os.fsdecode(path)}{f':{line}' if line else ''}: {text}", stacklevel=2)
+        warnings.warn(f"{os.fsdecode(path)}{f':{line}' if line else ''}: {text}", stacklevel=3)
     more = [np.array(left_out, dtype=np.int64)] if return_left_out else []
     if return_atoms:
         more.append(_atom_array(names))
-    return (rows, *more) if more else rows
+    return rows, balls, more

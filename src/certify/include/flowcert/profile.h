@@ -37,8 +37,9 @@ enum class ProfilePart : std::uint8_t {
   kOrbits,
   kPersistence,
   kCycles,
+  kPores,
 };
-inline constexpr std::size_t kProfileParts = 14;
+inline constexpr std::size_t kProfileParts = 15;
 
 class Profile {
  public:

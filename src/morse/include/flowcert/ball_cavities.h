@@ -1,7 +1,8 @@
 // The cavities between balls for one probe, from one triangulation of space, without critical points.
 //
 // Guarantees: exact. Cavities are the bounded components of the places of a probe's centre where it overlaps no ball;
-// to touch is allowed. Source: spec clause FC-BALL-07.
+// to touch is allowed. The balls that line a cavity are those that the probe touches at some place of it. Source: spec
+// clause FC-BALL-07.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +14,10 @@
 namespace flowcert {
 
 struct BallCavity {
-  std::vector<std::uint32_t> atoms;  // whose balls bound it, by id, ascending; no hidden ones
+  std::vector<std::uint32_t> atoms;  // the balls that line it, by id, ascending
 };
 
-// The cavities, by their atoms. The probe is not negative. Expected O(n log n) for atoms.
+// The cavities, in the order of their atoms. The probe is not negative. Expected O(n log n) for atoms.
 [[nodiscard]] std::vector<BallCavity> ball_cavities(const BallSet& balls, const Rational& probe);
 
 }  // namespace flowcert

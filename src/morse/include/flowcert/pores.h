@@ -80,7 +80,7 @@ class Pores {
   [[nodiscard]] const std::vector<PoreWindow>& windows() const { return windows_; }
   // The peaks of each vestibule, an unmarked room that is between rooms of one value (FC-BALL-09), ascending.
   [[nodiscard]] const std::vector<std::vector<std::uint32_t>>& vestibules() const { return vestibules_; }
-  // All chambers, whatever their depth, with one of those that are highest at a tie left out, by their peaks.
+  // All chambers, whatever their depth, with one of those that are highest at a tie left out, by falling peak and gate.
   [[nodiscard]] const std::vector<CavityInterval>& cavities() const { return cavities_; }
 
   [[nodiscard]] ChamberStatus status(const Chamber& chamber, const Rational& probe) const;
