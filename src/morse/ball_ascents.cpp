@@ -4,6 +4,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "geometry/keep_unique.h"
+
 namespace flowcert::morse {
 
 namespace {
@@ -37,8 +39,7 @@ bool contains(const Ids& ascending, std::uint32_t id) { return std::ranges::bina
 
 void merge(BallEnds& ends, const BallEnds& others) {
   ends.insert(ends.end(), others.begin(), others.end());
-  std::ranges::sort(ends);
-  ends.erase(std::ranges::unique(ends).begin(), ends.end());
+  geometry::keep_unique(ends);
 }
 
 template <class Number, class Level>

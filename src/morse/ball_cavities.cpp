@@ -12,6 +12,7 @@
 
 #include "geometry/disjoint_sets.h"
 #include "geometry/floating_point.h"
+#include "geometry/keep_unique.h"
 #include "morse/ball_level.h"
 #include "morse/ball_touching.h"
 #include "voronoi/ball_slice.h"
@@ -78,8 +79,7 @@ class Components {
     if (!cavities_.empty()) add_atoms();
     std::vector<BallCavity> made;
     for (auto& [root, cavity] : cavities_) {
-      std::ranges::sort(cavity.atoms);
-      cavity.atoms.erase(std::ranges::unique(cavity.atoms).begin(), cavity.atoms.end());
+      geometry::keep_unique(cavity.atoms);
       made.push_back(std::move(cavity));
     }
     std::ranges::sort(made, {}, &BallCavity::atoms);

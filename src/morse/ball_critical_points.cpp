@@ -54,7 +54,7 @@ class RoundedPlace {
  public:
   RoundedPlace(const Vector3<BoundedDouble>& x, const BoundedDouble& s, double greatest)
       : x_{x.x.value, x.y.value, x.z.value}, s_(s.value) {
-    const double far = greatest + std::fabs(s_) + greatest_coordinate({x_.x, x_.y, x_.z});
+    const double far = greatest + std::fabs(s_) + greatest_coordinate(Point{x_.x, x_.y, x_.z});
     error_ = std::max({x.x.error, x.y.error, x.z.error, s.error}) + kPlaceShare * far;
   }
 

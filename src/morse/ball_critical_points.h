@@ -4,12 +4,12 @@
 // Source: spec clauses FC-BALL-03 to FC-BALL-06.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "geometry/keep_unique.h"
 #include "morse/ball_level.h"
 #include "voronoi/ball_diagram.h"
 
@@ -32,8 +32,7 @@ template <class IsAsNear>
       if (is_as_near(id)) contacts.push_back(id);
     }
   }
-  std::ranges::sort(contacts);
-  contacts.erase(std::ranges::unique(contacts).begin(), contacts.end());
+  geometry::keep_unique(contacts);
   return contacts;
 }
 

@@ -9,6 +9,7 @@
 
 #include "geometry/disjoint_sets.h"
 #include "geometry/floating_point.h"
+#include "geometry/keep_unique.h"
 #include "morse/ball_ascents.h"
 #include "morse/ball_critical_points.h"
 
@@ -19,11 +20,6 @@ using namespace morse;
 namespace {
 
 using Numbers = std::vector<std::uint32_t>;
-
-void sort_unique(Numbers& numbers) {
-  std::ranges::sort(numbers);
-  numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
-}
 
 void append(Numbers& numbers, const Numbers& others) { numbers.insert(numbers.end(), others.begin(), others.end()); }
 
@@ -81,7 +77,7 @@ class PoreSearch {
       for (const BallEnds& ends : ascents.ends(found[order[number]])) {
         for (const std::uint32_t end : ends) side.rooms.push_back(end == morse::kOutside ? outside_ : number_of[end]);
       }
-      sort_unique(side.rooms);
+      geometry::keep_unique(side.rooms);
       sides_.push_back(std::move(side));
     }
   }
@@ -116,7 +112,7 @@ class PoreSearch {
       for (std::size_t place = first; place < last; ++place) {
         Numbers before;
         for (const std::uint32_t room : sides_[place].rooms) before.push_back(sets.find(room));
-        sort_unique(before);
+        geometry::keep_unique(before);
         if (before.size() < 2) continue;
         for (const std::uint32_t each : before) gates[each].push_back(sides_[place].point);
         links.push_back(std::move(before));
@@ -249,7 +245,7 @@ class PoreSearch {
     for (std::size_t place = first; place < last; ++place) {
       Numbers before;
       for (const std::uint32_t room : sides_[place].rooms) before.push_back(sets.find(room));
-      sort_unique(before);
+      geometry::keep_unique(before);
       if (before.size() == 1) {
         const std::uint32_t room = room_of[before[0]];
         if (room < pores_.chambers_.size()) pores_.chambers_[room].handles.push_back(sides_[place].point);
@@ -289,7 +285,7 @@ class PoreSearch {
     for (const std::uint32_t each : unmarked) members[leader_of(each)].push_back(each);
     std::vector<Cluster> clusters;
     for (auto& [leading, parts] : members) {
-      sort_unique(rooms_at[leading]);
+      geometry::keep_unique(rooms_at[leading]);
       clusters.push_back({highest_of(parts, tops), std::move(parts), std::move(rooms_at[leading])});
     }
     std::ranges::sort(clusters, {}, &Cluster::peaks);
@@ -311,7 +307,7 @@ class PoreSearch {
       Numbers rooms;
       for (const std::uint32_t each : parts)
         rooms.push_back(new_room_.contains(each) ? new_room_[each] : room_of[each]);
-      sort_unique(rooms);
+      geometry::keep_unique(rooms);
       if (rooms.size() > 1) {
         pores_.windows_.push_back({point, rooms});
         continue;

@@ -7,6 +7,7 @@
 #include "certify/layer.h"
 #include "certify/pore_claims.h"
 #include "geometry/floating_point.h"
+#include "geometry/keep_unique.h"
 #include "io/line_reader.h"
 #include "io/number_text.h"
 
@@ -225,8 +226,7 @@ PoreClaim claimed_pores_of(std::string_view bytes, const std::string& name) {
       for (std::size_t axis = 0; place.position && axis < 3; ++axis) {
         place.near[axis] = nearest_or_infinity((*place.position)[axis][0].value);
       }
-      std::ranges::sort(place.balls);
-      place.balls.erase(std::ranges::unique(place.balls).begin(), place.balls.end());
+      geometry::keep_unique(place.balls);
     }
   }
   return claim;
