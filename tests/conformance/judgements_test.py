@@ -141,6 +141,22 @@ def answers(one, case, folder):
         yield "judge.py", by_judge(one["case"], claim, levels, folder / "vectors")[:parts], owed
 
 
+def ball_cases():
+    return json.loads((SPEC / "vectors" / "balls" / "pores.json").read_text())["cases"]
+
+
+def wrong_of_pores(case, folder):
+    balls, claim = folder / "balls.xyz", folder / "diameters"
+    balls.write_text("".join(" ".join(row) + "\n" for row in case["balls"]))
+    for one in case["expected"]["claims"]:
+        claim.write_text("\n".join(one["claim"]) + "\n")
+        order = [FLOWCERT, "check", balls, claim, "--radii", "column:4", "--claim-format", "pores", "--json"]
+        report = json.loads(subprocess.run(order, capture_output=True).stdout)
+        given = sorted({finding["reason"] for finding in report["findings"]})
+        if given != one["reasons"] or (report["verdict"] == "conforms") != (not given):
+            yield f"{case['id']}: check says {report['verdict']}, {given} of {one['claim']}"
+
+
 def main():
     groups = {path.name: json.loads(path.read_text()) for path in (SPEC / "vectors").glob("*.json")}
     cases = {case["id"]: case for group in groups.values() for case in group.get("cases", [])}
@@ -148,9 +164,10 @@ def main():
     text = (SPEC / "claims.md").read_text()
     clauses = re.findall(r"^\*\*(FC-CLAIM-\d\d)\*\* ", text, re.MULTILINE)
     counts = Counter(one["clause"] for one in judgements)
-    # Vectors with claims of cycles are judgements, too.
+    # Vectors with claims of cycles or pores are judgements, too.
     with_cycles = [case for case in cases.values() if "cycles" in case.get("expected", {})]
-    counts.update(clause for case in with_cycles for clause in case["clauses"])
+    with_pores = [case for case in ball_cases() if "claims" in case.get("expected", {})]
+    counts.update(clause for case in with_cycles + with_pores for clause in case["clauses"])
     complaints = [f"{clause}: {counts[clause]} judgements, not 3 or more" for clause in clauses if counts[clause] < 3]
     complaints += [f"{one['id']}: no clause {one['clause']}" for one in judgements if one["clause"] not in clauses]
     complaints += [f"{name} is there twice" for name, n in Counter(one["id"] for one in judgements).items() if n > 1]
@@ -173,6 +190,7 @@ def main():
             for name, given, owed in answers(one, cases[one["case"]], Path(folder)):
                 if given != owed:
                     complaints.append(f"{one['id']}: {name} says {given}, not {owed}")
+        complaints += [wrong for case in with_pores for wrong in wrong_of_pores(case, Path(folder))]
     for complaint in complaints:
         print(complaint)
     print(f"{len(judgements)} judgements, {len(shown)} examples, {len(complaints)} complaints")

@@ -123,6 +123,10 @@ class PoreWriter {
   void asked(const std::string& comment, const Rows4& rows, const std::vector<PoreQuestion>& questions) {
     recipes_.push_back({case_id("pores", recipes_.size() + 1), comment, rows, questions});
   }
+  // Of the last one.
+  void claimed(const std::vector<std::string>& lines, const std::vector<std::string>& reasons = {}) {
+    recipes_.back().claims.push_back({lines, reasons});
+  }
   void refused(const std::string& comment, const Rows4& rows) { asked(comment, rows, {}); }
   const std::vector<PoreRecipe>& recipes() const { return recipes_; }
 
@@ -178,11 +182,28 @@ void add_cages(PoreWriter& cases) {
   cases.given("a cube: six equal windows of four balls, and a peak of eight", box({"1", "1", "1", "0.5"}));
   cases.given("an octahedron: the peak is on an edge of each triangulation, and at no other simplex",
               octahedron("2", "0.5"), {{"0", "1.5"}});
+  cases.claimed({"cavity 3 at 0 0 0", "limiting 2.265986"});
+  cases.claimed({"cavity 3 atoms 0 1"});
+  cases.claimed({"cavity 3", "cavity 3"}, {"claimed-twice"});
+  cases.claimed({"cavity 3 at 0 0 1"}, {"wrong-place"});
+  cases.claimed({"all", "cavity 3"}, {"missing"});
   cases.given("three different radii at the widest gate", balls("0 0 0 0.5, 4 0 0 1, 1 4 0 1.5, 2 1 4 0.75"));
   cases.given("the same with a fifth ball near the gate",
               balls("0 0 0 0.5, 4 0 0 1, 1 4 0 1.25, 2 1 4 0.75, 2 2 -3 0.25"));
   cases.given("the cage of FC-BALL-07: a cavity for 2.2660 < s <= 2.4641 alone", tetrahedron("2", "1"),
               {{"0.1", "2.2"}, {"0.1", "2.3"}, {"0.1", "2.4641"}, {"0.2", "2.5"}});
+  const std::string window = "window 4.531973";
+  cases.claimed({"all", "cavity 4.928203", "limiting 4.531973", window, window, window, window});
+  cases.claimed({"all", "cavity 4.928203", window, window, window}, {"missing"});
+  cases.claimed({window, window, window, window, window}, {"claimed-twice"});
+  cases.claimed({window + " atoms 0 1", window + " atoms 0 1 3"});
+  cases.claimed({window + " atoms 0 1 2", window + " atoms 0 1 2"}, {"claimed-twice"});
+  cases.claimed({"cavity 4.928203 at 1 0 0"}, {"wrong-place"});
+  cases.claimed({"cavity 4928203/1000000"}, {"rounding"});
+  cases.claimed({"cavity 2.4641016"}, {"radius"});
+  cases.claimed({"cavity 6.928203"}, {"to-centres"});
+  cases.claimed({"window 4.928203"}, {"wrong-kind"});
+  cases.claimed({"limiting none"}, {"wrong-diameter"});
   cases.given("a rectangle: its point lies on one diagonal alone, and outside is on both sides",
               box({"4", "3", "0", "1"}));
   cases.given("the same with a ball that plugs it: five contacts, and no critical point",
@@ -212,6 +233,9 @@ void add_cages(PoreWriter& cases) {
 
 void add_signs_and_ties(PoreWriter& cases) {
   cases.given("balls that overlap all around: the gate is below 0", octahedron("2", "1.75"), {{"0", "0"}});
+  cases.claimed({"all", "cavity 0.5", "gate none", "limiting none"});
+  cases.claimed({"gate 0"}, {"wrong-diameter"});
+  cases.claimed({"limiting 0.5"}, {"wrong-diameter"});
   cases.given("the same with a ball within: eight equal chambers, and all together one whose gate is below 0",
               octahedron("2", "1.75") + balls("0 0 0 0.25"));
   cases.given("all of it is below 0", octahedron("2", "2.5") + balls("0 0 0 0.25"));

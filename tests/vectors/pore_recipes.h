@@ -17,11 +17,17 @@ struct PoreQuestion {
   std::optional<std::string> probe = std::nullopt;
 };
 
+// FC-CLAIM-26: lines, and the different reasons for what is wrong, ascending. The depth is 1/10.
+struct PoreClaim {
+  std::vector<std::string> lines, reasons;
+};
+
 struct PoreRecipe {
   std::string id;
   std::string comment;
   std::vector<BallWords> balls;
   std::vector<PoreQuestion> questions;  // none: the balls have to be refused
+  std::vector<PoreClaim> claims = {};
 };
 
 // In the order of ids.

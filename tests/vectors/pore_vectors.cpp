@@ -327,13 +327,19 @@ Json pore_case(const PoreRecipe& recipe) {
   made["id"] = recipe.id;
   made["comment"] = recipe.comment;
   made["flags"] = flags;
-  made["clauses"] = clauses_field(
-      is_invalid ? "FC-BALL-01" : "FC-BALL-01 FC-BALL-03 FC-BALL-05 FC-BALL-07 FC-BALL-08 FC-BALL-09", flags);
+  std::string clauses = is_invalid ? "FC-BALL-01" : "FC-BALL-01 FC-BALL-03 FC-BALL-05 FC-BALL-07 FC-BALL-08 FC-BALL-09";
+  if (!recipe.claims.empty()) clauses += " FC-CLAIM-26";
+  made["clauses"] = clauses_field(clauses, flags);
   made["balls"] = recipe.balls;
   made["result"] = is_invalid ? "invalid" : "determined";
   if (is_invalid) return made;
   made["expected"]["points"] = points_field(found);
   for (const PoreAnswer& answer : found.answers) made["expected"]["pores"].push_back(answer_field(found, answer));
+  for (const PoreClaim& claim : recipe.claims) {
+    Json& field = made["expected"]["claims"].emplace_back();
+    field["claim"] = claim.lines;
+    field["reasons"] = claim.reasons;
+  }
   return made;
 }
 
