@@ -119,6 +119,7 @@ class ExampleFolder {
     (void)scratch_.file("bunny.xyz", rows);
     (void)scratch_.file("protein.pdb", content_of(std::string(FLOWCERT_USER_INPUTS) + "/barrel.pdb"));
     (void)scratch_.file("cage.xyz", content_of(std::string(FLOWCERT_USER_INPUTS) + "/cage.xyz"));
+    (void)scratch_.file("diameters.txt", "cavity 5.397020\nwindow 3.628998\n");
     (void)scratch_.file("cage.balls", "2 2 2 1\n2 -2 -2 1\n-2 2 -2 1\n-2 -2 2 1\n");
     (void)scratch_.file("probes.xyz", rows);
     (void)scratch_.file("cube.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n");
