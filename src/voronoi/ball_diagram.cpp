@@ -77,7 +77,8 @@ std::optional<CGAL::Sign> certain_sign(const Rows<kSize>& rows) {
   return sign == 0 ? std::nullopt : std::optional(static_cast<CGAL::Sign>(sign));
 }
 
-// CGAL's kernel for doubles, with doubles before its intervals. All numbers are integers.
+// CGAL's kernel for doubles, with doubles before its intervals. All numbers are integers. CGAL 6 takes iterators
+// that are temporary, and no others.
 struct FilteredKernel : CGAL::Epick_d<Dimension> {
   using Base = CGAL::Epick_d<Dimension>;
 
@@ -94,7 +95,7 @@ struct FilteredKernel : CGAL::Epick_d<Dimension> {
         for (int k = 0; k < 4; ++k) row[static_cast<std::size_t>(k)] = point[k] - origin[k];
       }
       if (const auto sign = certain_sign(rows)) return *sign;
-      return base.orientation_d_object()(first, last);
+      return base.orientation_d_object()(Iterator(first), Iterator(last));
     }
   };
   struct Power_side_of_power_sphere_d {
@@ -115,7 +116,7 @@ struct FilteredKernel : CGAL::Epick_d<Dimension> {
         }
       }
       if (const auto sign = certain_sign(rows)) return *sign;
-      return base.power_side_of_power_sphere_d_object()(first, last, from);
+      return base.power_side_of_power_sphere_d_object()(Iterator(first), Iterator(last), from);
     }
   };
   [[nodiscard]] Orientation_d orientation_d_object() const { return {*this}; }
