@@ -58,8 +58,8 @@ struct BallPoint {
 
 // The list of points (FC-BALL-03).
 std::vector<BallPoint> critical_points(const std::vector<Ball>& balls);
-// The same, if each point is inside of all simplices of its contacts that are among these subsets alone. It takes time n
-// for each of them.
+// Tries these subsets alone, in time n for each. They have to have every simplex of a point's contacts that the point
+// is inside of.
 std::vector<BallPoint> critical_points(const std::vector<Ball>& balls, const std::set<Places>& subsets);
 
 }  // namespace oracle

@@ -49,7 +49,7 @@ std::size_t outside_room(const Pores& pores);
 
 // Lists the chambers whose depth is `depth` or more, which is not negative.
 Pores pores(const std::vector<Ball>& balls, const Rational& depth);
-// The same, if the list of points is known.
+// Takes the list of points, where it is known.
 Pores pores(const std::vector<Ball>& balls, const std::vector<BallPoint>& points, const Rational& depth);
 
 }  // namespace oracle

@@ -156,7 +156,7 @@ class PoreJudge {
     return true;
   }
 
-  // Those of the kind that are at the place; of the greatest one, that.
+  // A place means what is there of the kind. The claim of the greatest one means that.
   [[nodiscard]] std::vector<const TruePore*> meant_by(const ClaimedPore& claimed) const {
     std::vector<const TruePore*> meant;
     for (const std::size_t place : of_kind_.at(place_of(claimed.kind)).places) {
@@ -172,7 +172,7 @@ class PoreJudge {
 
   // ---- Why it is wrong, in doubles ----
 
-  // Of what has no partner; the greatest ones need none.
+  // The claim has no partner. One of the greatest needs none.
   void explain(ClaimedPore claimed) {
     std::vector<const TruePore*> meant = meant_by(claimed);
     const auto say = [&](const char* reason, const std::string& truth, const char* sentence) {
@@ -229,7 +229,7 @@ class PoreJudge {
     say("wrong-diameter", right, "It is another diameter. This is a bug.");
   }
 
-  // Of all critical points.
+  // Each critical point's value, made when it is asked for.
   const std::vector<double>& values() {
     while (values_.size() < pores_.points().size()) {
       values_.push_back(nearest_or_infinity(pores_.value(static_cast<std::uint32_t>(values_.size()))));

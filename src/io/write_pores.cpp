@@ -140,7 +140,7 @@ std::string csv_atoms(const AtomNames* atoms, const std::vector<std::uint32_t>& 
   return atoms == nullptr ? rows : rows + ',' + csv_text(names);
 }
 
-// Of the contacts of all these points.
+// The contacts of all these points, likewise.
 std::string csv_atoms(const PoresToWrite& what, std::span<const std::uint32_t> points) {
   std::set<std::uint32_t> ids;
   for (const std::uint32_t point : points) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "certify/claimed_rows.h"
+#include "certify/claims/named_format.h"
 #include "certify/layer.h"
 #include "geometry/floating_point.h"
 #include "io/json_fields.h"
@@ -215,9 +216,9 @@ class CycleLines {
 
 bool is_cycle_claim(std::string_view bytes, const std::string& name) {
   const std::string_view text = trimmed(bytes);
+  if (text.starts_with('{')) return names_format(text, "flowcert-cycles");
   LineReader lines(text, name);
   std::string_view first;
-  if (text.starts_with('{')) return lines.next(first) && first.find("\"flowcert-cycles\"") != std::string_view::npos;
   return lines.next_uncommented(first) && words_of(first).front() == "cycles";
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "certify/claims/named_format.h"
 #include "certify/layer.h"
 #include "flowcert/write_persistence.h"
 #include "geometry/floating_point.h"
@@ -100,11 +101,7 @@ bool is_pair_claim(std::string_view bytes, const std::string& name) {
   const std::string ending = name.ends_with(".gz") ? ".pers.gz" : ".pers";
   if (name.ends_with(ending)) return true;
   const std::string_view text = trimmed(bytes);
-  if (text.starts_with('{')) {
-    std::string_view first;
-    LineReader(text, name).next(first);
-    return first.find("\"flowcert-persistence\"") != std::string_view::npos;
-  }
+  if (text.starts_with('{')) return names_format(text, "flowcert-persistence");
   LineReader lines(text, name);
   bool lasts = false;
   std::size_t columns = 0;

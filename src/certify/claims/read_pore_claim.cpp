@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "certify/claims/exchange_value.h"
+#include "certify/claims/named_format.h"
 #include "certify/layer.h"
 #include "certify/pore_claims.h"
 #include "geometry/floating_point.h"
@@ -208,9 +209,9 @@ PoreClaim pores_of_lines(std::string_view bytes, const std::string& name) {
 
 bool is_pore_claim(std::string_view bytes, const std::string& name) {
   const std::string_view text = trimmed(bytes);
+  if (text.starts_with('{')) return names_format(text, "flowcert-pores");
   LineReader lines(text, name);
   std::string_view first;
-  if (text.starts_with('{')) return lines.next(first) && first.find("\"flowcert-pores\"") != std::string_view::npos;
   return lines.next_uncommented(first) && kind_of(words_of(first).front());
 }
 
