@@ -151,9 +151,10 @@ class Search {
     if (const auto made = touching<SizedDouble>(balls_, face)) answer = try_face(face, cell, with_bounds(*made));
     if (answer < 0) return;
     const auto made = touching<BoundedDouble>(balls_, face);
-    if (made && answer == 0) answer = try_face(face, cell, *made);
+    if (!made) return see_exactly(face);
+    if (answer == 0) answer = try_face(face, cell, *made);
     if (answer < 0) return;
-    const auto roots = made ? bounded_roots(*made).both : std::nullopt;
+    const auto roots = bounded_roots(*made).both;
     if (answer == 0 || !roots) return see_exactly(face);
     add(face, Ids(face.begin(), face.end()), face.size() - 1, (*roots)[kRoot]);
   }
