@@ -164,7 +164,7 @@ class PoreJudge {
       if (!claimed.is_greatest) {
         if (is_there(claimed, truth)) meant.push_back(&truth);
       } else if (truth.diameter && (meant.empty() || *truth.diameter > *meant[0]->diameter)) {
-        meant = {&truth};
+        meant.assign(1, &truth);
       }
     }
     return meant;
