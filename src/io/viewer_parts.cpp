@@ -1,11 +1,12 @@
-// zlib compresses, and OpenSSL writes base64.
+// zlib compresses, and Boost writes base64.
 #include "io/viewer_parts.h"
 
-#include <openssl/evp.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <bit>
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
 #include <cmath>
 #include <limits>
 #include <new>
@@ -44,15 +45,16 @@ Bytes compressed(const Bytes& bytes) {
   return stream;
 }
 
-std::string base64(const Bytes& bytes) {
+std::string base64(Bytes bytes) {
+  namespace iterators = boost::archive::iterators;
+  using Digits = iterators::base64_from_binary<iterators::transform_width<Bytes::const_iterator, 6, 8>>;
   if (bytes.size() > std::numeric_limits<int>::max() / 2) {
     throw std::runtime_error("an array of this complex is too large for a page");
   }
-  std::string text((bytes.size() + 2) / 3 * 4 + 1, '\0');  // OpenSSL ends it with a zero
-  const int size =
-      EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()), bytes.data(), static_cast<int>(bytes.size()));
-  text.resize(static_cast<std::size_t>(size));
-  return text;
+  const std::size_t padding = (3 - bytes.size() % 3) % 3;
+  bytes.resize(bytes.size() + padding);  // Boost would read beyond the end
+  std::string text(Digits(bytes.cbegin()), Digits(bytes.cend()));
+  return text.replace(text.size() - padding, padding, padding, '=');
 }
 
 template <typename Number>
