@@ -2,7 +2,6 @@
 #include "flow/successor_forest.h"
 
 #include <algorithm>
-#include <atomic>
 #include <map>
 #include <tuple>
 
@@ -10,6 +9,7 @@
 #include "geometry/contract.h"
 #include "geometry/parallel_for.h"
 #include "geometry/portions.h"
+#include "geometry/relaxed_atomics.h"
 
 namespace flowcert::flow {
 
@@ -76,11 +76,10 @@ class SuccessorForest::Branch final : public CourseSource {
  private:
   // The threads exchange nothing but the claims before they end.
   [[nodiscard]] bool is_visited(CellIndex cluster) const {
-    return std::atomic_ref(stretch_of_[cluster]).load(std::memory_order_relaxed) != kNotVisited;
+    return geometry::relaxed_load(stretch_of_[cluster]) != kNotVisited;
   }
   [[nodiscard]] bool claim(CellIndex cluster) {
-    std::uint32_t before = kNotVisited;
-    return std::atomic_ref(stretch_of_[cluster]).compare_exchange_strong(before, kClaimed, std::memory_order_relaxed);
+    return geometry::relaxed_exchange(stretch_of_[cluster], kNotVisited, kClaimed);
   }
 
   FlowOperator& flow_;

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -15,6 +14,7 @@
 
 #include "flow/flow_operator.h"
 #include "flowcert/progress.h"
+#include "geometry/relaxed_atomics.h"
 
 namespace flowcert::flow {
 
@@ -57,7 +57,7 @@ class SuccessorForest {
   // Visits a Voronoi vertex that flow_from() has reached. Threads may do this at once.
   const Stretch& visit_known(CellIndex cluster) {
     Stretch& stretch = stretches_[stretch_of_[cluster]];
-    std::atomic_ref(stretch.visits).fetch_add(1, std::memory_order_relaxed);
+    geometry::relaxed_increment(stretch.visits);
     return stretch;
   }
   // All ends that orbits have come to. Stretches name them by their places.

@@ -12,9 +12,22 @@
 #include <locale>
 #include <system_error>
 #include <vector>
+#include <version>
 
 #include "flowcert/sphere.h"
 #include "io/foreign_text.h"
+
+// libc++ before version 20 reads no doubles. fast_float does the same; before version 4 it reads 1e999 as infinity.
+#if defined(__cpp_lib_to_chars) && !defined(FLOWCERT_FAST_FLOAT)
+namespace flowcert::io::doubles {
+using std::from_chars;
+}
+#else
+#include <fast_float/fast_float.h>
+namespace flowcert::io::doubles {
+using fast_float::from_chars;
+}
+#endif
 
 namespace flowcert::io {
 
@@ -142,7 +155,7 @@ NumberText parse_far_decimal(std::string_view text, bool negative) {
   scientific += 'e';
   scientific += std::to_string(shape.power);
   double value = 0;
-  const auto result = std::from_chars(scientific.data(), scientific.data() + scientific.size(), value);
+  const auto result = doubles::from_chars(scientific.data(), scientific.data() + scientific.size(), value);
   if (result.ec == std::errc::result_out_of_range || !std::isfinite(value)) {
     return shape.power > 0 ? too_large : zero;
   }
@@ -161,7 +174,7 @@ NumberText parse_number(std::string_view text) {
   }
   double value = 0;
   const char* const end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
+  const auto result = doubles::from_chars(text.data(), end, value);
   if (result.ec == std::errc::invalid_argument || result.ptr != end) {
     return {.value = 0, .fault = kNotANumber};
   }

@@ -3,7 +3,6 @@
 #include "flowcert/saddle_links.h"
 
 #include <algorithm>
-#include <atomic>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "geometry/floating_point.h"
 #include "geometry/portions.h"
 #include "geometry/prefetch.h"
+#include "geometry/relaxed_atomics.h"
 #include "morse/layer.h"
 #include "morse/record_finder.h"
 
@@ -61,12 +61,12 @@ class Summits {
   void climb(CellIndex from, std::vector<CellIndex>& way) {
     std::uint32_t summit = SaddleLinks::kInfinity;
     for (CellIndex at = from; at != kNoCell; at = next_above(diagram_, at)) {
-      summit = std::atomic_ref(above_[at]).load(std::memory_order_relaxed);
+      summit = geometry::relaxed_load(above_[at]);
       if (summit != kUnknown) break;
       way.push_back(at);
       summit = SaddleLinks::kInfinity;
     }
-    for (; !way.empty(); way.pop_back()) std::atomic_ref(above_[way.back()]).store(summit, std::memory_order_relaxed);
+    for (; !way.empty(); way.pop_back()) geometry::relaxed_store(above_[way.back()], summit);
   }
 
   const VoronoiDiagram& diagram_;
