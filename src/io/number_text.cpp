@@ -12,20 +12,19 @@
 #include <locale>
 #include <system_error>
 #include <vector>
-#include <version>
 
 #include "flowcert/sphere.h"
 #include "io/foreign_text.h"
 
-// libc++ before version 20 reads no doubles. fast_float does the same; before version 4 it reads 1e999 as infinity.
-#if defined(__cpp_lib_to_chars) && !defined(FLOWCERT_FAST_FLOAT)
-namespace flowcert::io::doubles {
-using std::from_chars;
-}
-#else
+// CMake says where the C++ library reads no doubles. fast_float does the same, but may read 1e999 as infinity.
+#ifdef FLOWCERT_FAST_FLOAT
 #include <fast_float/fast_float.h>
 namespace flowcert::io::doubles {
 using fast_float::from_chars;
+}
+#else
+namespace flowcert::io::doubles {
+using std::from_chars;
 }
 #endif
 
