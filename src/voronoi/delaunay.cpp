@@ -7,7 +7,6 @@
 #include "voronoi/delaunay.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
@@ -21,6 +20,7 @@
 #include "geometry/floating_point.h"
 #include "geometry/portions.h"
 #include "voronoi/compact_delaunay.h"
+#include "voronoi/delaunay_kernel.h"
 #include "voronoi/layer.h"
 
 namespace flowcert {
@@ -29,7 +29,7 @@ using namespace voronoi;
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Kernel = DelaunayKernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<VertexIndex, Kernel>;
 // The number is the cell's place in the compact copy, so that its neighbours can name it.
 using CellBase =
@@ -59,7 +59,7 @@ Delaunay::Delaunay(const PointSet& points, const Progress& progress, std::size_t
   const geometry::IeeeDoubles ieee;
   std::vector<Kernel::Point_3> positions;
   positions.reserve(points.size());
-  for (const Point& p : points.points()) positions.emplace_back(p.x, p.y, p.z);
+  for (const Point& p : points.points()) positions.push_back({p});
   std::vector<std::size_t>& order = triangulation_->order;  // std::size_t: the property map's key type
   order.resize(points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
