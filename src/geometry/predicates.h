@@ -154,6 +154,18 @@ template <class Query, class Number, std::size_t kVectors>
   return sign_beyond(Query::value(vectors), Query::error_bound(norms));
 }
 
+// The sign of points on a grid of a power of two, from doubles that nothing was rounded in. It answers where no vector
+// is longer than `reach`, which is IntegerGrid::exact_reach(), or 0 for any points.
+template <class Query, class Number, std::size_t kVectors>
+[[nodiscard]] MaybeSign unrounded_sign(const std::array<Vector3<Number>, kVectors>& vectors, const Number& reach) {
+  using std::sqrt;
+  for (const Vector3<Number>& v : vectors) {
+    const Number norm = sqrt(dot(v, v));
+    if (!(norm >= kSmallestNorm && norm <= kLargestNorm && norm <= reach)) return std::nullopt;
+  }
+  return sign_of(Query::value(vectors));
+}
+
 // One rung alone, for the tests and for callers that have a filter of their own.
 template <class Query>
 [[nodiscard]] MaybeSign sign_on_rung(const Query& query, Rung rung);

@@ -7,13 +7,14 @@
 #include "voronoi/delaunay.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
-#include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 
 #include <algorithm>
+#include <boost/property_map/function_property_map.hpp>
 #include <numeric>
 #include <vector>
 
@@ -29,13 +30,12 @@ using namespace voronoi;
 
 namespace {
 
-using Kernel = DelaunayKernel;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<VertexIndex, Kernel>;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<VertexIndex, DelaunayKernel>;
 // The number is the cell's place in the compact copy, so that its neighbours can name it.
-using CellBase =
-    CGAL::Triangulation_cell_base_with_info_3<CellIndex, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
+using CellBase = CGAL::Triangulation_cell_base_with_info_3<CellIndex, DelaunayKernel,
+                                                           CGAL::Delaunay_triangulation_cell_base_3<DelaunayKernel>>;
 using Structure = CGAL::Triangulation_data_structure_3<VertexBase, CellBase>;
-using Cgal = CGAL::Delaunay_triangulation_3<Kernel, Structure>;
+using Cgal = CGAL::Delaunay_triangulation_3<DelaunayKernel, Structure>;
 
 constexpr std::size_t kProgressStep = 4096;
 
@@ -54,24 +54,34 @@ struct Delaunay::Triangulation {
   std::vector<std::size_t> order;  // ordinals in order of insertion, which is a vertex' number
 };
 
-Delaunay::Delaunay(const PointSet& points, const Progress& progress, std::size_t most_cells)
-    : triangulation_(new Triangulation{&points, {}, {}}) {
-  const geometry::IeeeDoubles ieee;
-  std::vector<Kernel::Point_3> positions;
-  positions.reserve(points.size());
-  for (const Point& p : points.points()) positions.push_back({p});
-  std::vector<std::size_t>& order = triangulation_->order;  // std::size_t: the property map's key type
-  order.resize(points.size());
+namespace {
+
+// Ordinals along CGAL's space-filling curve, which compares coordinates.
+std::vector<std::size_t> spatial_order(const PointSet& points) {
+  using Doubles = CGAL::Simple_cartesian<double>;
+  std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  auto position_map = CGAL::make_property_map(positions);
+  auto position = boost::make_function_property_map<std::size_t>([&points](std::size_t ordinal) {
+    const Point& p = points[ordinal];
+    return Doubles::Point_3(p.x, p.y, p.z);
+  });
   CGAL::spatial_sort(order.begin(), order.end(),
-                     CGAL::Spatial_sort_traits_adapter_3<Kernel, decltype(position_map)>(position_map));
+                     CGAL::Spatial_sort_traits_adapter_3<Doubles, decltype(position)>(position));
+  return order;
+}
+
+}  // namespace
+
+Delaunay::Delaunay(const PointSet& points, const Progress& progress, std::size_t most_cells) {
+  const geometry::IeeeDoubles ieee;
+  triangulation_.reset(new Triangulation{&points, Cgal(DelaunayKernel(DelaunaySigns(points))), spatial_order(points)});
+  const std::vector<std::size_t>& order = triangulation_->order;
 
   // This does what CGAL's own range insertion does, and reports progress now and then.
   Cgal& cgal = triangulation_->cgal;
   Cgal::Cell_handle hint;
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const Cgal::Vertex_handle vertex = cgal.insert(positions[order[i]], hint);
+    const Cgal::Vertex_handle vertex = cgal.insert({points[order[i]]}, hint);
     vertex->info() = static_cast<VertexIndex>(i);
     hint = vertex->cell();
     if (cgal.tds().cells().size() > most_cells) reject_many_cells(cgal.tds().cells().size(), i + 1, order.size());
