@@ -5,6 +5,7 @@
 // Guarantees: a function of the random numbers given; all coordinates are finite. Points may coincide.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -153,6 +154,26 @@ std::array<flowcert::Point, N> draw_tuple(TupleKind kind, PortableRandom& random
     }
   }
   return points;
+}
+
+// Moves the points into one plane, exactly. Small integers may come into a plane that is tilted against all axes.
+template <std::size_t N>
+void flatten(std::array<flowcert::Point, N>& t, PortableRandom& random) {
+  const bool is_small = std::all_of(t.begin(), t.end(), [](const flowcert::Point& p) {
+    const auto small = [](double c) { return c == std::floor(c) && std::fabs(c) < 1e6; };
+    return small(p.x) && small(p.y) && small(p.z);
+  });
+  const double level = t[0].z;
+  const std::size_t way = random.below(is_small ? 5 : 4);
+  for (flowcert::Point& p : t) {
+    const double x = p.x, y = p.y;
+    if (way == 0) p = {x, y, level};
+    if (way == 1) p = {y, level, x};
+    if (way == 2) p = {level, x, y};
+    if (way == 3) p = {x, y, -x};
+    // Along (1,2,2) and (2,1,-2), which are orthogonal and of one length: circles stay circles.
+    if (way == 4) p = {x + 2 * y, 2 * x + y, 2 * x - 2 * y};
+  }
 }
 
 // The first four points are positively oriented and not flat, as in a cell.

@@ -42,6 +42,7 @@ using flowcert_tests::circumcenter;
 using flowcert_tests::determinant;
 using flowcert_tests::draw_tuple;
 using flowcert_tests::exactly;
+using flowcert_tests::flatten;
 using flowcert_tests::inner;
 using flowcert_tests::kTupleKinds;
 using flowcert_tests::minus;
@@ -159,26 +160,6 @@ struct AskOutsideSphere {
 bool are_opposite(const Point& p0, const Point& p1, const Point& q, const Point& r) {
   const RationalPoint u = exactly(p0), v = exactly(p1);
   return inner(normal_of(u, v, exactly(q)), normal_of(u, v, exactly(r))) < 0;
-}
-
-// Moves the points into one plane, exactly. Small integers may come into a plane that is tilted against all
-// axes.
-void flatten(std::array<Point, 4>& t, PortableRandom& random) {
-  const bool is_small = std::all_of(t.begin(), t.end(), [](const Point& p) {
-    const auto small = [](double c) { return c == std::floor(c) && std::fabs(c) < 1e6; };
-    return small(p.x) && small(p.y) && small(p.z);
-  });
-  const double level = t[0].z;
-  const std::size_t way = random.below(is_small ? 5 : 4);
-  for (Point& p : t) {
-    const double x = p.x, y = p.y;
-    if (way == 0) p = {x, y, level};
-    if (way == 1) p = {y, level, x};
-    if (way == 2) p = {level, x, y};
-    if (way == 3) p = {x, y, -x};
-    // Along (1,2,2) and (2,1,-2), which are orthogonal and of one length: circles stay circles.
-    if (way == 4) p = {x + 2 * y, 2 * x + y, 2 * x - 2 * y};
-  }
 }
 
 struct AskOutsideCircle {
