@@ -35,7 +35,11 @@ constexpr auto& p = kPoints;
 
 std::size_t number_of(const Point& point) { return static_cast<std::size_t>(&point - kPoints.data()); }
 
-// The filter of a query, and its polynomial in integers. There, vector k has the variables of point k.
+// A variable after those of all points.
+constexpr std::size_t kExactReachVariable = 15;
+
+// The filter of a query, what it knows on a grid, and its polynomial in integers. There, vector k has the variables of
+// point k.
 template <class Query>
 CoqModule module_of(const std::string& name, const Query& query) {
   CoqModule module(name);
@@ -44,6 +48,9 @@ CoqModule module_of(const std::string& name, const Query& query) {
                           recorded_vector<Width::kDouble>(number_of(to)));
   });
   module.define("sign", recorded_function([&] { return CoqAnswer(filtered_sign<Query>(vectors)); }));
+  const RecordedDouble exact_reach = RecordedDouble::variable(kExactReachVariable);
+  module.define("unrounded_sign",
+                recorded_function([&] { return CoqAnswer(unrounded_sign<Query>(vectors, exact_reach)); }));
   std::array<Vector3<RecordedInteger>, vectors.size()> integers;
   for (std::size_t k = 0; k < integers.size(); ++k) integers[k] = recorded_vector<Width::kNarrow>(k);
   module.define("integers", recorded_function([&] { return CoqAnswer(Query::value(integers).term()); }));
@@ -58,9 +65,6 @@ std::array<Vector3<Recorded<width>>, 3> cell_vectors() {
 }
 
 const CoqAnswer kNoAnswer(std::in_place_index<0>, std::nullopt);
-
-// A variable after those of all points.
-constexpr std::size_t kExactReachVariable = 15;
 
 CoqModule cell_module() {
   CoqModule module("Cell");

@@ -17,6 +17,11 @@ Definition sign := If LessEqual (Cst 6277101735386681 (-192)) x3 (If LessEqual x
   LessEqual (Cst 6277101735386681 (-192)) x7 (If LessEqual x7 (Cst 6462348535570529 87) (If Less x8 x9 (Answer (Some
   Positive)) (If Less x9 (Neg x8) (Answer (Some Negative)) (Answer None))) (Answer None)) (Answer None)) (Answer None))
   (Answer None).
+Definition unrounded_sign := If LessEqual (Cst 6277101735386681 (-192)) x3 (If LessEqual x3 (Cst 6462348535570529 87)
+  (If LessEqual x3 (Var 15) (If LessEqual (Cst 6277101735386681 (-192)) x7 (If LessEqual x7 (Cst 6462348535570529 87)
+  (If LessEqual x7 (Var 15) (If Less (Cst 0 0) x9 (Answer (Some Positive)) (If Less x9 (Cst 0 0) (Answer (Some
+  Negative)) (Answer (Some Zero)))) (Answer None)) (Answer None)) (Answer None)) (Answer None)) (Answer None)) (Answer
+  None).
 Definition integers := Answer (Add (Add (Mul (Var 0) (Var 3)) (Mul (Var 1) (Var 4))) (Mul (Var 2) (Var 5))).
 End Angle.
 
@@ -50,6 +55,12 @@ Definition sign := If LessEqual (Cst 6277101735386681 (-192)) x4 (If LessEqual x
   6277101735386681 (-192)) x14 (If LessEqual x14 (Cst 6462348535570529 87) (If Less x16 x20 (Answer (Some Positive)) (If
   Less x20 (Neg x16) (Answer (Some Negative)) (Answer None))) (Answer None)) (Answer None)) (Answer None)) (Answer
   None)) (Answer None)) (Answer None).
+Definition unrounded_sign := If LessEqual (Cst 6277101735386681 (-192)) x4 (If LessEqual x4 (Cst 6462348535570529 87)
+  (If LessEqual x4 (Var 15) (If LessEqual (Cst 6277101735386681 (-192)) x9 (If LessEqual x9 (Cst 6462348535570529 87)
+  (If LessEqual x9 (Var 15) (If LessEqual (Cst 6277101735386681 (-192)) x14 (If LessEqual x14 (Cst 6462348535570529 87)
+  (If LessEqual x14 (Var 15) (If Less (Cst 0 0) x20 (Answer (Some Positive)) (If Less x20 (Cst 0 0) (Answer (Some
+  Negative)) (Answer (Some Zero)))) (Answer None)) (Answer None)) (Answer None)) (Answer None)) (Answer None)) (Answer
+  None)) (Answer None)) (Answer None)) (Answer None).
 Definition x21 := Wide (Sub (Mul (Var 1) (Var 5)) (Mul (Var 2) (Var 4))).
 Definition x22 := Wide (Add (Add (Mul (Var 0) (Var 0)) (Mul (Var 1) (Var 1))) (Mul (Var 2) (Var 2))).
 Definition x23 := Wide (Add (Add (Mul (Var 3) (Var 3)) (Mul (Var 4) (Var 4))) (Mul (Var 5) (Var 5))).
@@ -98,6 +109,13 @@ Definition sign := If LessEqual (Cst 6277101735386681 (-192)) x4 (If LessEqual x
   x19 (If LessEqual x19 (Cst 6462348535570529 87) (If Less x20 x24 (Answer (Some Positive)) (If Less x24 (Neg x20)
   (Answer (Some Negative)) (Answer None))) (Answer None)) (Answer None)) (Answer None)) (Answer None)) (Answer None))
   (Answer None)) (Answer None)) (Answer None).
+Definition unrounded_sign := If LessEqual (Cst 6277101735386681 (-192)) x4 (If LessEqual x4 (Cst 6462348535570529 87)
+  (If LessEqual x4 (Var 15) (If LessEqual (Cst 6277101735386681 (-192)) x9 (If LessEqual x9 (Cst 6462348535570529 87)
+  (If LessEqual x9 (Var 15) (If LessEqual (Cst 6277101735386681 (-192)) x14 (If LessEqual x14 (Cst 6462348535570529 87)
+  (If LessEqual x14 (Var 15) (If LessEqual (Cst 6277101735386681 (-192)) x19 (If LessEqual x19 (Cst 6462348535570529 87)
+  (If LessEqual x19 (Var 15) (If Less (Cst 0 0) x24 (Answer (Some Positive)) (If Less x24 (Cst 0 0) (Answer (Some
+  Negative)) (Answer (Some Zero)))) (Answer None)) (Answer None)) (Answer None)) (Answer None)) (Answer None)) (Answer
+  None)) (Answer None)) (Answer None)) (Answer None)) (Answer None)) (Answer None)) (Answer None).
 Definition x25 := Wide (Sub (Mul (Var 4) (Var 8)) (Mul (Var 5) (Var 7))).
 Definition x26 := Wide (Sub (Mul (Var 5) (Var 6)) (Mul (Var 3) (Var 8))).
 Definition x27 := Wide (Sub (Mul (Var 3) (Var 7)) (Mul (Var 4) (Var 6))).
@@ -134,6 +152,12 @@ Definition sign := If LessEqual (Cst 6277101735386681 (-192)) x3 (If LessEqual x
   6277101735386681 (-192)) x11 (If LessEqual x11 (Cst 6462348535570529 87) (If Less x12 x13 (Answer (Some Positive)) (If
   Less x13 (Neg x12) (Answer (Some Negative)) (Answer None))) (Answer None)) (Answer None)) (Answer None)) (Answer
   None)) (Answer None)) (Answer None).
+Definition unrounded_sign := If LessEqual (Cst 6277101735386681 (-192)) x3 (If LessEqual x3 (Cst 6462348535570529 87)
+  (If LessEqual x3 (Var 15) (If LessEqual (Cst 6277101735386681 (-192)) x7 (If LessEqual x7 (Cst 6462348535570529 87)
+  (If LessEqual x7 (Var 15) (If LessEqual (Cst 6277101735386681 (-192)) x11 (If LessEqual x11 (Cst 6462348535570529 87)
+  (If LessEqual x11 (Var 15) (If Less (Cst 0 0) x13 (Answer (Some Positive)) (If Less x13 (Cst 0 0) (Answer (Some
+  Negative)) (Answer (Some Zero)))) (Answer None)) (Answer None)) (Answer None)) (Answer None)) (Answer None)) (Answer
+  None)) (Answer None)) (Answer None)) (Answer None).
 Definition integers := Answer (Add (Add (Mul (Wide (Var 0)) (Wide (Sub (Mul (Var 4) (Var 8)) (Mul (Var 5) (Var 7)))))
   (Mul (Wide (Var 1)) (Wide (Sub (Mul (Var 5) (Var 6)) (Mul (Var 3) (Var 8)))))) (Mul (Wide (Var 2)) (Wide (Sub (Mul
   (Var 3) (Var 7)) (Mul (Var 4) (Var 6)))))).
@@ -176,6 +200,18 @@ Definition sign := If LessEqual (Cst 6277101735386681 (-192)) x3 (If LessEqual x
   (Some Positive)) (If Less x24 x23 (Answer (Some Negative)) (Answer None))) (If Less x19 x25 (Answer (Some Positive))
   (If Less x25 x23 (Answer (Some Negative)) (Answer None))))) (Answer None)) (Answer None)) (Answer None)) (Answer
   None)) (Answer None)) (Answer None)) (Answer None)) (Answer None).
+Definition unrounded_sign := If LessEqual (Cst 6277101735386681 (-192)) x3 (If LessEqual x3 (Cst 6462348535570529 87)
+  (If LessEqual x3 (Var 15) (If LessEqual (Cst 6277101735386681 (-192)) x7 (If LessEqual x7 (Cst 6462348535570529 87)
+  (If LessEqual x7 (Var 15) (If LessEqual (Cst 6277101735386681 (-192)) x11 (If LessEqual x11 (Cst 6462348535570529 87)
+  (If LessEqual x11 (Var 15) (If LessEqual (Cst 6277101735386681 (-192)) x15 (If LessEqual x15 (Cst 6462348535570529 87)
+  (If LessEqual x15 (Var 15) (If LessEqual x16 x17 (If LessEqual x18 x17 (If Less (Cst 0 0) x22 (Answer (Some Positive))
+  (If Less x22 (Cst 0 0) (Answer (Some Negative)) (Answer (Some Zero)))) (If LessEqual x18 x16 (If Less (Cst 0 0) x24
+  (Answer (Some Positive)) (If Less x24 (Cst 0 0) (Answer (Some Negative)) (Answer (Some Zero)))) (If Less (Cst 0 0) x25
+  (Answer (Some Positive)) (If Less x25 (Cst 0 0) (Answer (Some Negative)) (Answer (Some Zero)))))) (If LessEqual x18
+  x16 (If Less (Cst 0 0) x24 (Answer (Some Positive)) (If Less x24 (Cst 0 0) (Answer (Some Negative)) (Answer (Some
+  Zero)))) (If Less (Cst 0 0) x25 (Answer (Some Positive)) (If Less x25 (Cst 0 0) (Answer (Some Negative)) (Answer (Some
+  Zero)))))) (Answer None)) (Answer None)) (Answer None)) (Answer None)) (Answer None)) (Answer None)) (Answer None))
+  (Answer None)) (Answer None)) (Answer None)) (Answer None)) (Answer None).
 Definition x26 := Abs (Wide (Sub (Mul (Var 2) (Var 3)) (Mul (Var 0) (Var 5)))).
 Definition x27 := Abs (Wide (Sub (Mul (Var 1) (Var 5)) (Mul (Var 2) (Var 4)))).
 Definition x28 := Abs (Wide (Sub (Mul (Var 0) (Var 4)) (Mul (Var 1) (Var 3)))).
