@@ -13,9 +13,9 @@
 
 namespace flowcert {
 
-// CGAL's Delaunay_triangulation_3 with exact predicates, spatially sorted. It is behind a wall because CGAL's headers
-// are slow to compile. Where points are cospherical, the triangulation is one of several; no result of this library
-// depends on which (spec clause FC-VOR-04).
+// CGAL's Delaunay_triangulation_3, spatially sorted, with the signs of delaunay_signs.h. It is behind a wall because
+// CGAL's headers are slow to compile. Where points are cospherical, the triangulation is one of several; no result of
+// this library depends on which (spec clause FC-VOR-04).
 class Delaunay {
  public:
   static constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
