@@ -9,7 +9,7 @@
 #include <limits>
 #include <variant>
 
-#include "certify/claim_content.h"
+#include "certify/any_claim.h"
 #include "cli/ball_input.h"
 #include "cli/check_pairs.h"
 #include "cli/check_report.h"
@@ -50,18 +50,9 @@ class LevelProgress {
   std::optional<ProgressLine> line_;
 };
 
-// A claimed flow complex, a persistence diagram, cycles, or pores.
-using AnyClaim = std::variant<Claim, std::vector<ClaimedPair>, CycleClaim, PoreClaim>;
-
 AnyClaim claim_of(const std::string& path, const std::string& format, bool unlimited) {
   const ProgressLine progress("reading the claim");
-  const std::string bytes = io::read_bytes(path);
-  std::string decompressed;
-  const std::string_view content = io::plain_content(bytes, path, decompressed, unlimited);
-  if (format == "pores" || (format.empty() && is_pore_claim(content, path))) return claimed_pores_of(content, path);
-  if (format.empty() && is_cycle_claim(content, path)) return claimed_cycles_of(content, path);
-  if (format.empty() && !is_pair_claim(content, path)) return claim_in(content, path, unlimited);
-  return claimed_pairs_of(content, path);
+  return any_claim_in(io::read_bytes(path), path, format, unlimited);
 }
 
 CheckReport report_of(const CheckCommandOptions& options, const OtherTruth& oracle, const Input& input, Claim given) {
@@ -82,7 +73,7 @@ int told(const CheckCommandOptions& options, const CheckedFiles& files, const Re
     io::write_whole_file(options.junit, [&](std::ostream& out) { write_check_junit(out, files, report); });
   }
   if (options.json) {
-    print_check_json(files, report, points);
+    print_report_json(check_json(files, report, points));
   } else {
     print_check_text(files, report, options.most);
   }
@@ -103,14 +94,9 @@ std::vector<ListedPair> true_pairs(const CheckCommandOptions& options, const Oth
   return listed_pairs(FlowComplex(input.points, complex_options(input), part_progress()));
 }
 
-void refuse_levels(const CheckCommandOptions& options, const char* kind) {
-  if (options.files.check.highest_level == kLevels && options.files.check.indices == CheckOptions{}.indices) return;
-  throw InvalidInput(fmt::format("--levels and --indices are for flow complexes, and the claim is {}", kind));
-}
-
 int check_diagram(const CheckCommandOptions& options, const OtherTruth& oracle, const Input& input,
                   const std::vector<ClaimedPair>& claimed) {
-  refuse_levels(options, "a persistence diagram");
+  refuse_levels(options.files.check, "a persistence diagram");
   CheckedFiles files = options.files;
   files.claim_format = "persistence";
   const PairReport report = report_of_pairs(claimed, true_pairs(options, oracle, input), options.files.check.tolerance);
@@ -118,7 +104,7 @@ int check_diagram(const CheckCommandOptions& options, const OtherTruth& oracle, 
 }
 
 int check_cycles(const CheckCommandOptions& options, const Input& input, const CycleClaim& claim) {
-  refuse_levels(options, "of cycles");
+  refuse_levels(options.files.check, "of cycles");
   if (options.files.by_oracle) throw InvalidInput("--oracle judges no cycles");
   require_rows(claim, input.points, options.files.claim);
   CheckedFiles files = options.files;
@@ -132,9 +118,9 @@ int check_cycles(const CheckCommandOptions& options, const Input& input, const C
 }
 
 int check_pores(CheckCommandOptions options, const PoreClaim& claim) {
-  refuse_levels(options, "of pores");
+  refuse_levels(options.files.check, "of pores");
   if (options.files.by_oracle) throw InvalidInput("--oracle judges no pores");
-  if (options.radii.empty()) throw InvalidInput("--radii is needed: the claim is of the room between balls");
+  require_radii(true, !options.radii.empty());
   if (!options.has_tolerance) options.files.check.tolerance = kPoreTolerance;
   const BallInput input = read_ball_input(options);
   CheckedFiles files = options.files;
@@ -156,7 +142,7 @@ int check_claim(CheckCommandOptions options, const OtherTruth& oracle) {
   }
   AnyClaim claim = claim_of(files.claim, options.claim_format, options.reading.unlimited);
   if (const auto* pores = std::get_if<PoreClaim>(&claim)) return check_pores(options, *pores);
-  if (!options.radii.empty()) throw InvalidInput("--radii is for claims of pores");
+  require_radii(false, !options.radii.empty());
   const Input input = read_input(options);
   if (!input.file.atoms.empty()) files.atoms = &input.file.atoms;
   files.points = input.name;

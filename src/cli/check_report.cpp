@@ -33,37 +33,6 @@ constexpr std::array<const char*, kLevels> kShortLevelNames = {"well formed", "w
                                                                "none missing, none twice", "incidences",
                                                                "manifolds and connections"};
 
-struct LevelCount {
-  std::size_t wrong = 0;
-  std::size_t varied = 0;
-  std::size_t undecided = 0;  // of those
-  Verdict verdict = Verdict::kConforms;
-};
-
-std::array<LevelCount, kLevels> count_levels(const CheckReport& report) {
-  std::array<LevelCount, kLevels> counts{};
-  for (const Finding& finding : report.findings) {
-    LevelCount& count = counts.at(static_cast<std::size_t>(finding.level - 1));
-    ++(finding.is_variation ? count.varied : count.wrong);
-    count.undecided += finding.is_decided ? 0 : 1;
-    count.verdict = std::max(count.verdict, verdict_on(finding));
-  }
-  return counts;
-}
-
-// The reasons of what is wrong come first, then those of what is permitted. The numbers of examples are those of
-// findings. An example is small if its contact set is.
-std::vector<ReasonRow> reasons_of(const CheckReport& report) {
-  std::array<ReasonTally, 2> tallies;  // wrong, permitted
-  for (std::size_t k = 0; k < report.findings.size(); ++k) {
-    const Finding& finding = report.findings[k];
-    tallies.at(finding.is_variation ? 1 : 0).add(reason_text(finding.reason), finding.contact.size(), k);
-  }
-  std::vector<ReasonRow> rows = tallies[0].rows();
-  std::ranges::copy(tallies[1].rows(), std::back_inserter(rows));
-  return rows;
-}
-
 const char* word_of(const Finding& finding) {
   if (!finding.is_variation) return "wrong";
   return finding.is_decided ? "permitted" : "not decided";
@@ -145,17 +114,6 @@ void print_findings(const CheckedFiles& files, const CheckReport& report, std::s
   fmt::print("\n");
 }
 
-Json reasons_field(const CheckReport& report) {
-  Json reasons = Json::array();
-  for (const ReasonRow& row : reasons_of(report)) {
-    reasons.push_back({{"reason", row.reason},
-                       {"permitted", report.findings[row.example].is_variation},
-                       {"findings", row.count},
-                       {"example", row.example}});
-  }
-  return reasons;
-}
-
 std::string level_verdict(const std::optional<bool>& conforms, const LevelCount& count) {
   return conforms ? verdict_text(count.verdict) : "nothing to judge";
 }
@@ -169,19 +127,6 @@ void print_levels(const CheckReport& report) {
     table.cell(counts.at(k).wrong).cell(counts.at(k).varied);
   }
   table.print();
-}
-
-Json levels_field(const CheckReport& report) {
-  const auto counts = count_levels(report);
-  Json levels = Json::object();
-  for (std::size_t k = 0; k < kLevels; ++k) {
-    const std::optional<bool>& conforms = report.conforms.at(k);
-    levels[fmt::format("{}", k + 1)] = {{"conforms", conforms ? Json(*conforms) : Json(nullptr)},
-                                        {"wrong", counts.at(k).wrong},
-                                        {"permitted", counts.at(k).varied},
-                                        {"not_decided", counts.at(k).undecided}};
-  }
-  return levels;
 }
 
 void write_level(std::ostream& out, const CheckedFiles& files, const CheckReport& report, std::size_t k,
@@ -207,30 +152,10 @@ void write_level(std::ostream& out, const CheckedFiles& files, const CheckReport
 
 }  // namespace
 
-const char* truth_text(const CheckedFiles& files) { return files.by_oracle ? "oracle" : "fast implementation"; }
-
 std::string finding_line(const std::string& claim, const Finding& finding) {
   return on_one_line(fmt::format("{}: {}, level {}: {} [{}]: claimed {}; truth: {}", place_of(claim, finding),
                                  word_of(finding), finding.level, reason_text(finding.reason), finding.clause,
                                  finding.claimed, finding.truth));
-}
-
-Json finding_field(const Finding& finding, const AtomNames* atoms) {
-  Json field = {{"level", finding.level},
-                {"reason", reason_text(finding.reason)},
-                {"permitted", finding.is_variation},
-                {"decided", finding.is_decided},
-                {"clause", finding.clause},
-                {"line", finding.line ? Json(*finding.line) : Json(nullptr)},
-                {"contact", finding.contact},
-                {"claimed", finding.claimed},
-                {"truth", finding.truth},
-                {"sentence", finding.sentence}};
-  if (atoms != nullptr) {
-    field["atoms"] = Json::array();
-    for (const PointId row : finding.contact) field["atoms"].push_back(atoms->text(row));
-  }
-  return field;
 }
 
 void print_verdict(const CheckedFiles& files, Verdict verdict, const Profile& profile, const std::string& tolerance) {
@@ -241,20 +166,7 @@ void print_verdict(const CheckedFiles& files, Verdict verdict, const Profile& pr
                 kFindingIndent);
 }
 
-Json judgement_fields(const CheckedFiles& files, Verdict verdict, const Profile& profile, const PointSet& points) {
-  Json json = header_fields("flowcert-check", 1, points);
-  json["verdict"] = verdict_text(verdict);
-  json["grade"] = profile.grade();
-  json["profile"] = profile_field({verdict, profile, files.check.tolerance});
-  json["tolerance"] = files.check.tolerance;
-  json["truth"] = truth_text(files);
-  json["claim_format"] = files.claim_format;
-  return json;
-}
-
-void print_report_json(const Json& json, int indent) {
-  fmt::print("{}\n", io::json_with_escapes(json.dump(indent, ' ', false, Json::error_handler_t::replace)));
-}
+void print_report_json(const Json& json, int indent) { fmt::print("{}\n", report_text(json, indent)); }
 
 void print_check_text(const CheckedFiles& files, const CheckReport& report, std::size_t most) {
   print_findings(files, report, most);
@@ -271,23 +183,6 @@ void print_check_text(const CheckedFiles& files, const CheckReport& report, std:
   for (const std::string& what : report.not_decided) print_wrapped("not decided: " + on_one_line(what), kFindingIndent);
   print_verdict(files, report.verdict, report.profile,
                 report.is_exact ? "" : fmt::format(", tolerance {} of the radius", files.check.tolerance));
-}
-
-void print_check_json(const CheckedFiles& files, const CheckReport& report, const PointSet& points) {
-  Json json = judgement_fields(files, report.verdict, report.profile, points);
-  json["indices"] = Json::array();
-  for (std::size_t index = 0; index < 4; ++index) {
-    if (report.indices.at(index)) json["indices"].push_back(index);
-  }
-  json["claimed"] = report.claimed_counts;
-  json["critical"] = files.check.highest_level < 2 ? Json(nullptr) : Json(report.true_counts);
-  json["levels"] = levels_field(report);
-  json["reasons"] = reasons_field(report);
-  json["not_judged"] = report.not_judged;
-  json["not_decided"] = report.not_decided;
-  Json& findings = json["findings"] = Json::array();
-  for (const Finding& finding : report.findings) findings.push_back(finding_field(finding, files.atoms));
-  print_report_json(json);
 }
 
 void write_check_junit(std::ostream& out, const CheckedFiles& files, const CheckReport& report) {

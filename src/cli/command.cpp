@@ -93,12 +93,6 @@ void add_input_options(CLI::App& command, InputOptions& options, const std::stri
   add_options_of_molecules(command, reading);
 }
 
-Rational length_of_option(const std::string& text, const char* option) {
-  const Rational length = io::claimed_number(text, io::PlainInteger::kExact, {option, 1}).value;
-  if (length < 0) throw InvalidInput(fmt::format("{}: not 0 or more: {}", option, text));
-  return length;
-}
-
 ProgressLine reading_line(const std::string& path, const std::string& what) {
   const bool is_piped = path == kStandardStream;
   return ProgressLine(is_piped ? "reading standard input" : "reading " + what, is_piped ? STDIN_FILENO : -1);

@@ -11,6 +11,7 @@
 #include "flowcert/orbit.h"
 #include "flowcert/read_points.h"
 #include "io/foreign_text.h"
+#include "io/naming.h"
 #include "io/number_text.h"
 
 namespace CLI {
@@ -53,9 +54,6 @@ void add_stats_command(CLI::App& app);
 void add_surface_command(CLI::App& app);
 // In a program that was built without FLOWCERT_JUDGE, a name only.
 void add_view_command(CLI::App& app, int& status);
-
-// An exact length of 0 or more that an option has. Throws InvalidInput.
-[[nodiscard]] Rational length_of_option(const std::string& text, const char* option);
 
 // What is shown while a file of `what` is read.
 [[nodiscard]] ProgressLine reading_line(const std::string& path, const std::string& what);
@@ -135,16 +133,6 @@ inline constexpr char kStandardStream[] = "-";
 
 // For all errors: a path may hold any byte.
 using io::on_one_line;
-
-// Runs the work. What is wrong with an input is said with this name before it.
-template <typename Work>
-auto naming(const std::string& name, const Work& work) {
-  try {
-    return work();
-  } catch (const InvalidInput& error) {
-    throw InvalidInput(name + ": " + error.what());
-  }
-}
 
 // The name of the file for messages, on one line: "-" gets a readable name.
 [[nodiscard]] std::string display_name(const std::string& path);

@@ -10,7 +10,6 @@
 
 #include <unistd.h>
 
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
@@ -23,6 +22,7 @@
 
 #include "cli/layer.h"
 #include "flowcert/flow_complex.h"
+#include "morse/part_text.h"
 
 namespace flowcert::cli {
 
@@ -73,7 +73,7 @@ class PartProgress {
   void operator()(FlowComplexPart part, std::size_t done, std::size_t total) {
     if (part_ != part) {
       line_.reset();
-      line_.emplace(name_of(part) + what_of_);
+      line_.emplace(part_text(part) + what_of_);
       part_ = part;
     }
     (*line_)(done, total);
@@ -83,15 +83,6 @@ class PartProgress {
   }
 
  private:
-  static std::string name_of(FlowComplexPart part) {
-    constexpr auto kNames = std::to_array<const char*>({"Delaunay triangulation", "critical points", "critical points",
-                                                        "unstable manifolds", "stable manifolds", "chain complex",
-                                                        "links of saddles", "persistence", "limits of all directions",
-                                                        "volumes", "unstable sets of dimension 2", "merge trees"});
-    static_assert(kNames.size() == kFlowComplexParts);
-    return kNames.at(static_cast<std::size_t>(part));
-  }
-
   std::string what_of_;
   std::optional<FlowComplexPart> part_;
   std::optional<ProgressLine> line_;

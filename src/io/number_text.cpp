@@ -273,6 +273,12 @@ LengthBound length_bound_of(std::string_view text, const std::string& option, st
   return {Unit::kQuantile, share};
 }
 
+Rational length_of_option(const std::string& text, const char* option) {
+  const Rational length = claimed_number(text, PlainInteger::kExact, {option, 1}).value;
+  if (length < 0) throw InvalidInput(fmt::format("{}: not 0 or more: {}", option, text));
+  return length;
+}
+
 // ---- What a claim can hold ----
 
 namespace {

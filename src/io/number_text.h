@@ -59,6 +59,9 @@ struct NumberText {
 // InvalidInput for anything else: the message begins with the option, and which one of these it is, from 1.
 [[nodiscard]] LengthBound length_bound_of(std::string_view text, const std::string& option, std::size_t ordinal);
 
+// An exact length of 0 or more. Throws InvalidInput; the message begins with the option.
+[[nodiscard]] Rational length_of_option(const std::string& text, const char* option);
+
 // ---- What a claim can hold ----
 // Numbers exact or decimal, ids, indices, counts.
 //
