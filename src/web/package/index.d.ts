@@ -239,8 +239,6 @@ export class FlowComplex {
   /** Rows, with those that repeat another. */
   readonly pointCount: number;
   readonly mergedDuplicates: number;
-  /** A copy of all rows. */
-  points(): Float64Array;
 
   /** How many critical points of index 0, 1, 2 and 3 there are. */
   readonly counts: [number, number, number, number];

@@ -1,0 +1,179 @@
+// What index.d.ts declares, over the two modules of WebAssembly.
+//
+// Guarantees: an input that cannot be used is a FlowcertError with the program's sentence. Whatever else is thrown, as
+// by a function `progress`, comes through as it is. The second module is neither asked for nor loaded before check().
+import createFlowcert from "./flowcert.js";
+
+let core, loading, checking, checkWasm;
+
+export class FlowcertError extends Error {
+  name = "FlowcertError";
+}
+
+export const formats = Object.freeze([
+  "table", "pts", "chemical", "off", "ply", "obj", "pcd", "npy", "pdb", "pqr", "cif",
+]);
+
+// What Emscripten's own functions take.
+function place(wasm) {
+  if (wasm === undefined) return {};
+  return typeof wasm === "string" ? { locateFile: () => wasm } : { wasmBinary: wasm };
+}
+
+export async function load(options = {}) {
+  checkWasm = options.checkWasm ?? checkWasm;
+  loading ??= createFlowcert(place(options.wasm));
+  try {
+    core = await loading;
+  } catch (error) {
+    loading = undefined; // the next call tries again
+    throw error;
+  }
+}
+
+async function checkModule() {
+  checking ??= import("./flowcert_check.js").then((made) => made.default(place(checkWasm)));
+  try {
+    return await checking;
+  } catch (error) {
+    checking = undefined;
+    throw error;
+  }
+}
+
+// The modules throw sentences.
+function asked(work) {
+  try {
+    return work();
+  } catch (error) {
+    throw typeof error === "string" ? new FlowcertError(error) : error;
+  }
+}
+
+function bytesOf(content, what) {
+  if (typeof content === "string") return new TextEncoder().encode(content);
+  if (content instanceof ArrayBuffer) return new Uint8Array(content);
+  if (content instanceof Uint8Array) return content;
+  throw new TypeError(`${what} must be bytes, as a Uint8Array or an ArrayBuffer`);
+}
+
+function fractionOf(text) {
+  const [numerator, denominator = "1"] = text.split("/");
+  return Object.freeze({ text, numerator: BigInt(numerator), denominator: BigInt(denominator) });
+}
+
+export class FlowComplex {
+  #core;
+  #read;
+  #kept = {};
+
+  constructor(points, options = {}) {
+    if (core === undefined) throw new Error("load() of flowcert has to be waited for before a FlowComplex is made");
+    const isArray = points instanceof Float64Array;
+    const content = isArray ? points : bytesOf(points, "points that are no Float64Array");
+    // An array has no columns, chains or frames.
+    const { name, unlimited, progress } = options;
+    this.#read = isArray ? { name, unlimited, progress } : { ...options };
+    this.#core = asked(() => new core.Complex(content, this.#read));
+    Object.assign(this, JSON.parse(this.#ask("facts")));
+  }
+
+  #ask(method, options = {}) {
+    if (this.#core === undefined) throw new Error("this FlowComplex was deleted");
+    return asked(() => this.#core[method](options));
+  }
+
+  get #counts() {
+    return (this.#kept.counts ??= JSON.parse(this.#ask("counts")));
+  }
+
+  get counts() {
+    return [...this.#counts.critical];
+  }
+
+  get regularCounts() {
+    return { ...this.#counts.regular_stationary };
+  }
+
+  get stationaryPoints() {
+    if (this.#kept.points === undefined) {
+      const columns = { center: this.centers(), ...this.#ask("stationaryPoints") };
+      this.#kept.points = Object.freeze({ length: columns.index.length, ...columns });
+    }
+    return this.#kept.points;
+  }
+
+  get criticalPoints() {
+    const { index, kind, center, squaredDistance, contactOffsets, contacts } = this.stationaryPoints;
+    const length = this.#counts.critical.reduce((sum, count) => sum + count);
+    return Object.freeze({
+      length,
+      index: index.subarray(0, length),
+      kind: kind.subarray(0, 2 * length),
+      center: center.subarray(0, 3 * length),
+      squaredDistance: squaredDistance.subarray(0, length),
+      contactOffsets: contactOffsets.subarray(0, length + 1),
+      contacts: contacts.subarray(0, contactOffsets[length]),
+    });
+  }
+
+  centers() {
+    return this.#ask("centers");
+  }
+
+  exact(i) {
+    const [x, y, z, squaredDistance] = JSON.parse(this.#ask("exact", { i })).map(fractionOf);
+    return { center: [x, y, z], squaredDistance };
+  }
+
+  persistence(options) {
+    const pairs = [];
+    this.#ask("persistence", { ...options, take: (text) => pairs.push(...JSON.parse(text)) });
+    return pairs;
+  }
+
+  persistenceText(options) {
+    return this.#ask("persistenceText", options);
+  }
+
+  cycles(options) {
+    return JSON.parse(this.#ask("cycles", options)).cycles;
+  }
+
+  pockets(options) {
+    return JSON.parse(this.#ask(options?.radii === undefined ? "pockets" : "cavities", options));
+  }
+
+  pores(options) {
+    return JSON.parse(this.#ask("pores", options));
+  }
+
+  records(options) {
+    return this.#ask("records", options);
+  }
+
+  surface(options) {
+    return this.#ask("surface", options);
+  }
+
+  page(options) {
+    return this.#ask(options?.radii === undefined ? "page" : "pageOfBalls", options);
+  }
+
+  async check(claim, options = {}) {
+    const claimed = bytesOf(claim, "a claim that is no text");
+    const content = this.#ask("content");
+    const { check } = await checkModule();
+    return JSON.parse(asked(() => check(content, this.#read, claimed, options)));
+  }
+
+  delete() {
+    this.#core?.delete();
+    this.#core = undefined;
+    this.#kept = {};
+  }
+
+  [Symbol.dispose ?? Symbol.for("Symbol.dispose")]() {
+    this.delete();
+  }
+}
