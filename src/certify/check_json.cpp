@@ -111,7 +111,7 @@ Json check_json(const CheckedFiles& files, const CheckReport& report, const Poin
 
 Json check_json(const CheckedFiles& files, const PairReport& report, const PointSet& points) {
   Json json = judgement_fields(files, report.verdict, report.profile, points);
-  const ListWords& words = words_of(report);
+  const ListWords& words = list_words(report);
   Json& rows = json[words.key] = Json::array();
   for (std::size_t row = 0; row < report.truth.size(); ++row) {
     const DifferenceCounts counts = counts_of(report, row);
@@ -125,7 +125,7 @@ Json check_json(const CheckedFiles& files, const PairReport& report, const Point
   Json& findings = json["findings"] = Json::array();
   for (const PairDifference& difference : report.differences) {
     findings.push_back({{"reason", difference.reason},
-                        {"clause", words_of(report).clause},
+                        {"clause", list_words(report).clause},
                         {"line", difference.line > 0 ? Json(difference.line) : Json(nullptr)},
                         {words.row_key, words.row_keys[static_cast<std::size_t>(difference.dimension)]},
                         {"claimed", difference.is_claimed ? Json(difference.claimed) : Json(nullptr)},

@@ -50,7 +50,7 @@ PairReport report_of_pores(const PoreClaim& claim, const Pores& pores, double to
   return report;
 }
 
-const ListWords& words_of(const PairReport& report) {
+const ListWords& list_words(const PairReport& report) {
   static const std::vector<const char*> dimensions = {"components", "tunnels", "voids"};
   static const std::vector<Json> numbers = {0, 1, 2};
   static const std::array words = {

@@ -40,7 +40,7 @@ struct ListWords {
   std::vector<const char*> rows;
   std::vector<Json> row_keys;
 };
-[[nodiscard]] const ListWords& words_of(const PairReport& report);
+[[nodiscard]] const ListWords& list_words(const PairReport& report);
 
 // How many differences a row has.
 struct DifferenceCounts {

@@ -20,7 +20,7 @@ namespace {
 std::string difference_line(const CheckedFiles& files, const PairReport& report, const PairDifference& difference) {
   const std::string line = difference.line > 0 ? fmt::format(":{}", difference.line) : "";
   return on_one_line(fmt::format("{}{}: {} [{}]: claimed {}; truth: {}", files.claim, line, difference.reason,
-                                 words_of(report).clause, difference.claimed, difference.truth));
+                                 list_words(report).clause, difference.claimed, difference.truth));
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ void print_check_text(const CheckedFiles& files, const PairReport& report, std::
   }
   if (shown < report.differences.size()) fmt::print("({} more)\n", with_commas(report.differences.size() - shown));
   if (!report.differences.empty()) fmt::print("\n");
-  const ListWords& words = words_of(report);
+  const ListWords& words = list_words(report);
   Table table("llrrrr", {words.row_key, "", "claimed", "truth", words.wrong, "missing"});
   for (std::size_t row = 0; row < report.truth.size(); ++row) {
     const DifferenceCounts counts = counts_of(report, row);
@@ -62,7 +62,7 @@ void write_check_junit(std::ostream& out, const CheckedFiles& files, const PairR
       << fmt::format("  <testsuite name=\"{}\" tests=\"1\" failures=\"{}\" errors=\"0\" skipped=\"0\">\n",
                      xml_text(fmt::format("flowcert check {} {}", files.points, files.claim)), is_right ? 0 : 1)
       << junit_properties({report.verdict, report.profile, files.check.tolerance})
-      << "    <testcase classname=\"flowcert.check\" name=\"" << words_of(report).test_case << '"';
+      << "    <testcase classname=\"flowcert.check\" name=\"" << list_words(report).test_case << '"';
   if (is_right) {
     out << "/>\n";
   } else {

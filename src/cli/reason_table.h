@@ -1,5 +1,5 @@
-// The tables of reports of many cases. One says why something is wrong, counted (certify/reason_tally.h). The other says
-// how many cases have which outcome.
+// The tables of reports of many cases. One says why something is wrong, counted (certify/reason_tally.h). The other
+// says how many cases have which outcome.
 #pragma once
 
 #include <cstddef>

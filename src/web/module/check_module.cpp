@@ -1,4 +1,4 @@
-// The module flowcert_check.wasm: what `flowcert check` does, and its --json. index.js loads it when it is asked for.
+// The module check_module.wasm: what `flowcert check` does, and its --json. index.js loads it when it is asked for.
 #include <emscripten/bind.h>
 
 #include <string>

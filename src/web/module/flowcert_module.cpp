@@ -1,4 +1,4 @@
-// The module flowcert.wasm: the flow complex as JavaScript holds it. What users see is in the package's index.js; this
+// The module flowcert_module.wasm: the flow complex as JavaScript holds it. What users see is in the package's index.js; this
 // has what that asks (src/web/package/index.d.ts says what is meant).
 //
 // Guarantees: texts and files are those of the program, to the byte, but for what made them. The content of a file is

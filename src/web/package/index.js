@@ -2,7 +2,7 @@
 //
 // Guarantees: an input that cannot be used is a FlowcertError with the program's sentence. Whatever else is thrown, as
 // by a function `progress`, comes through as it is. The second module is neither asked for nor loaded before check().
-import createFlowcert from "./flowcert.js";
+import createFlowcert from "./flowcert_module.js";
 
 let core, loading, checking, checkWasm;
 
@@ -32,7 +32,7 @@ export async function load(options = {}) {
 }
 
 async function checkModule() {
-  checking ??= import("./flowcert_check.js").then((made) => made.default(place(checkWasm)));
+  checking ??= import("./check_module.js").then((made) => made.default(place(checkWasm)));
   try {
     return await checking;
   } catch (error) {

@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# pack.sh MODULES NOTICES OUT: the npm package, OUT/flowcert-VERSION.tgz. Needs npm, and no network.
+#
+# MODULES has the four files that the build makes, and NOTICES is /usr/share/doc of the system that they were made on,
+# beside its common-licenses. Prints the sizes of the modules as they are and compressed.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+modules=$1 notices=$2 out=$(realpath -m "$3")
+packages=(emscripten libboost1.83-dev libcgal-dev libeigen3-dev libexpat1-dev libfast-float-dev libfmt-dev libgmp-dev
+          libmpfr-dev nlohmann-json3-dev zlib1g-dev)
+
+rm -rf "$out/package"
+mkdir -p "$out/package/notices"
+cp "$here"/{NOTICES.md,README.md,index.d.ts,index.js,package.json} "$here/../../../LICENSE" "$out/package"
+cp "$modules"/{flowcert,check}_module.{js,wasm} "$out/package"
+for package in "${packages[@]}"; do cp -L "$notices/$package/copyright" "$out/package/notices/$package.txt"; done
+for licence in Apache-2.0 LGPL-3 MPL-2.0; do cp "$notices/../common-licenses/$licence" "$out/package/notices"; done
+for module in flowcert_module check_module; do
+  echo "$module.wasm $(stat -c %s "$out/package/$module.wasm") bytes, $(gzip -9c "$out/package/$module.wasm" | wc -c) gz"
+done
+cd "$out"
+npm pack --offline --silent ./package
