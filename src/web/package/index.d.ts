@@ -22,24 +22,6 @@ export function load(options?: LoadOptions): Promise<void>;
 /** The formats of files of points, as `format` takes them. Each is also read as `.gz`. */
 export const formats: readonly string[];
 
-/** The parts of a complex that take time; "page", "records", "surface" and "cycles" are told while they are made. */
-export type Part =
-  | "Delaunay triangulation"
-  | "critical points"
-  | "unstable manifolds"
-  | "stable manifolds"
-  | "chain complex"
-  | "links of saddles"
-  | "persistence"
-  | "limits of all directions"
-  | "volumes"
-  | "unstable sets of dimension 2"
-  | "merge trees"
-  | "page"
-  | "records"
-  | "surface"
-  | "cycles";
-
 /** What is said of points, as the program's options of the same names. */
 export interface FlowComplexOptions {
   /** Of the file, for messages and pages; "points" without it. */
@@ -60,8 +42,13 @@ export interface FlowComplexOptions {
   skipInvalid?: boolean;
   /** Also reads what grows a hundred times when it is unpacked, and computes more than a hundred cells a point. */
   unlimited?: boolean;
-  /** Called now and then while something is computed. What it throws ends the work, and comes out of the method. */
-  progress?: (part: Part, done: number, total: number) => void;
+  /**
+   * Called now and then while something is computed, with its name: "Delaunay triangulation", "critical points",
+   * "unstable manifolds", "stable manifolds", "chain complex", "links of saddles", "persistence", "limits of all
+   * directions", "volumes", "unstable sets of dimension 2", "merge trees", "page", "records", "surface", "cycles",
+   * "checking level 1". What it throws ends the work, and comes out of the method.
+   */
+  progress?: (part: string, done: number, total: number) => void;
 }
 
 /** A number as it is written, exact. 0.1 is one tenth; text may also be a fraction, "1/3". */
@@ -95,12 +82,6 @@ export interface StationaryPoints {
   /** The nearest points of point i are `contacts.subarray(contactOffsets[i], contactOffsets[i + 1])`. */
   readonly contactOffsets: Uint32Array;
   readonly contacts: Uint32Array;
-}
-
-export interface Note {
-  /** 0 where there is none. */
-  line: number;
-  text: string;
 }
 
 /** A critical point in JSON. Rationals are text; a double is null where it would overflow. */
@@ -141,51 +122,33 @@ export interface Cycle {
   components?: [number[], number[]];
 }
 
-/** An object of the program's --json: its keys beside these are in spec/formats/. */
+/** An object of the program's --json. The keys beside these are in spec/formats/. */
 export interface ProgramObject {
   format: string;
   format_version: number;
   version: string;
   [key: string]: any;
 }
-
 /** spec/formats/pockets.md */
 export interface PocketsObject extends ProgramObject {
-  format: "flowcert-pockets";
-  squared_persistence: string;
   pockets: { depth: number | null; volume: number | string | null; lining: number[]; [key: string]: any }[];
 }
-
-/** What pockets() gives where atoms have radii. */
+/** What pockets() gives where atoms have radii, and what pores() gives: spec/formats/pores.md */
 export interface CavitiesObject extends ProgramObject {
-  format: "flowcert-cavities";
   cavities: { lining: number[]; atoms?: string[] }[];
 }
-
-/** spec/formats/pores.md */
 export interface PoresObject extends ProgramObject {
-  format: "flowcert-pores";
   largest_cavity_diameter: number | null;
   pore_limiting_diameter: number | null;
   chambers: { diameter: number; limiting_diameter: number | null; windows: number[]; [key: string]: any }[];
   windows: { diameter: number; contact: number[]; rooms: number[]; [key: string]: any }[];
 }
-
-export interface Finding {
-  reason: string;
-  clause: string;
-  line: number | null;
-  sentence: string;
-  [key: string]: any;
-}
-
-/** What `flowcert check --json` says of a claim. */
+/** What `flowcert check --json` says of a claim: src/cli/manual/check.md */
 export interface CheckReport extends ProgramObject {
-  format: "flowcert-check";
   verdict: "conforms" | "conforms where determined" | "perturbed" | "fails";
   grade: "exact" | "approximate";
   claim_format: string;
-  findings: Finding[];
+  findings: { reason: string; clause: string; line: number | null; sentence: string; [key: string]: any }[];
 }
 
 export interface CheckOptions {
@@ -222,16 +185,16 @@ export interface PageOptions {
  */
 export class FlowComplex {
   /**
-   * points: x, y, z of each row, one row after the other; or the content of a file. They are copied. Throws
-   * FlowcertError for what cannot be read, and Error where load() has not finished.
+   * points: x, y, z of each row, one row after the other; or the content of a file. They are copied. A text for
+   * options is the name. Throws FlowcertError for what cannot be read, and Error where load() has not finished.
    */
-  constructor(points: Float64Array | Uint8Array | ArrayBuffer, options?: FlowComplexOptions);
+  constructor(points: Float64Array | Uint8Array | ArrayBuffer, options?: FlowComplexOptions | string);
 
   readonly name: string;
   /** That of the file; "npy" for an array. */
   readonly format: string;
-  /** What a user should know of how the file was read. */
-  readonly notes: Note[];
+  /** What a user should know of how the file was read. line: 0 where there is none. */
+  readonly notes: { line: number; text: string }[];
   /** Rows that were left out, from 0. */
   readonly leftOut: number[];
   /** Whether the file names atoms, so that radii by element are known. */

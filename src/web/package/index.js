@@ -71,9 +71,10 @@ export class FlowComplex {
     if (core === undefined) throw new Error("load() of flowcert has to be waited for before a FlowComplex is made");
     const isArray = points instanceof Float64Array;
     const content = isArray ? points : bytesOf(points, "points that are no Float64Array");
+    const said = typeof options === "string" ? { name: options } : options;
     // An array has no columns, chains or frames.
-    const { name, unlimited, progress } = options;
-    this.#read = isArray ? { name, unlimited, progress } : { ...options };
+    const { name, unlimited, progress } = said;
+    this.#read = isArray ? { name, unlimited, progress } : { ...said };
     this.#core = asked(() => new core.Complex(content, this.#read));
     Object.assign(this, JSON.parse(this.#ask("facts")));
   }
