@@ -16,7 +16,8 @@ cp "$modules"/{flowcert,check}_module.{js,wasm} "$out/package"
 for package in "${packages[@]}"; do cp -L "$notices/$package/copyright" "$out/package/notices/$package.txt"; done
 for licence in Apache-2.0 LGPL-3 MPL-2.0; do cp "$notices/../common-licenses/$licence" "$out/package/notices"; done
 for module in flowcert_module check_module; do
-  echo "$module.wasm $(stat -c %s "$out/package/$module.wasm") bytes, $(gzip -9c "$out/package/$module.wasm" | wc -c) gz"
+  file=$out/package/$module.wasm
+  echo "$module.wasm: $(stat -c %s "$file") bytes, $(gzip -9c "$file" | wc -c) with gzip"
 done
 cd "$out"
 npm pack --offline --silent ./package
