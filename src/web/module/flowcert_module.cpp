@@ -1,5 +1,5 @@
-// The module flowcert_module.wasm: the flow complex as JavaScript holds it. What users see is in the package's index.js; this
-// has what that asks (src/web/package/index.d.ts says what is meant).
+// The module flowcert_module.wasm: the flow complex as JavaScript holds it. What users see is in the package's index.js,
+// and index.d.ts says what is meant; this has what index.js asks.
 //
 // Guarantees: texts and files are those of the program, to the byte, but for what made them. The content of a file is
 // kept as it came, because atoms get their radii from it later.
@@ -46,11 +46,13 @@ val text_of(const auto& write) {
   return val(std::move(out).str());
 }
 
+val bytes_of(const std::string& bytes) {
+  return array_of(std::span(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
+}
 val bytes_of(const auto& write) {
   std::ostringstream out;
   write(out);
-  const std::string bytes = std::move(out).str();
-  return array_of(std::span(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
+  return bytes_of(std::move(out).str());
 }
 
 std::optional<Rational> length_if_said(const Said& said, const char* name, const char* option) {
@@ -102,15 +104,18 @@ struct Source {
   PointFile file;
 };
 
+FlowComplex complex_of(const Source& source, const Said& said) {
+  PointSet points(source.file.rows, source.file.left_out);
+  const std::size_t most = source.reading.unlimited ? kAnyNumberOfCells : usual_most_cells(points.size());
+  const auto tell = [said](FlowComplexPart part, std::size_t done, std::size_t total) {
+    said.tell(morse::part_text(part), done, total);
+  };
+  return FlowComplex(std::move(points), {.most_cells = most}, tell);
+}
+
 struct Complex {
   Complex(const val& points, const Said& options)
-      : said(options),
-        source(points, said),
-        flow(PointSet(source.file.rows, source.file.left_out),
-             {.most_cells = source.reading.unlimited ? kAnyNumberOfCells : usual_most_cells(source.file.rows.size())},
-             [options](FlowComplexPart part, std::size_t done, std::size_t total) {
-               options.tell(morse::part_text(part), done, total);
-             }) {
+      : said(options), source(points, said), flow(complex_of(source, said)) {
     source.file.rows = {};
   }
   // The file, or one with the same points.
@@ -121,9 +126,7 @@ struct Complex {
   FlowComplex flow;
 };
 
-val content(const Complex& complex, const Said&) {
-  return bytes_of([&](std::ostream& out) { out << complex.content(); });
-}
+val content(const Complex& complex, const Said&) { return bytes_of(complex.content()); }
 
 // What is known before anything is computed.
 val facts(const Complex& complex, const Said&) {
@@ -212,7 +215,8 @@ val persistence_text(const Complex& complex, const Said& said) {
 
 val cycles(const Complex& complex, const Said& said) {
   CycleChoice choice;
-  choice.dimension = claimed_index(said.text("dimension", "1"), {"--dimension", 1});
+  choice.dimension = static_cast<int>(said.count("dimension", 1));
+  if (choice.dimension > 2) throw InvalidInput("dimension: not 0, 1 or 2");
   choice.level = cycle_level_of(said.text("level", "25%"), "--level");
   choice.longest = said.count("longest", choice.longest);
   if (said.has("persistence")) choice.longer_than = length_bound_of(said.text("persistence"), "--persistence", 1);
