@@ -6,14 +6,17 @@
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 modules=$1 notices=$2 out=$(realpath -m "$3")
-packages=(emscripten libboost1.83-dev libcgal-dev libeigen3-dev libexpat1-dev libfast-float-dev libfmt-dev libgmp-dev
-          libmpfr-dev nlohmann-json3-dev zlib1g-dev)
+packages=(emscripten libcgal-dev libeigen3-dev libexpat1-dev libfast-float-dev libfmt-dev libgmp-dev libmpfr-dev
+          nlohmann-json3-dev zlib1g-dev)
 
 rm -rf "$out/package"
 mkdir -p "$out/package/notices"
 cp "$here"/{NOTICES.md,README.md,index.d.ts,index.js,package.json} "$here/../../../LICENSE" "$out/package"
 cp "$modules"/{flowcert,check}_module.{js,wasm} "$out/package"
 for package in "${packages[@]}"; do cp -L "$notices/$package/copyright" "$out/package/notices/$package.txt"; done
+# The two megabytes of Boost's file are of parts that are not used.
+boost=$(ls -d "$notices"/libboost1.*-dev | head -n 1)
+sed -n '/^ Boost Software License - /,/^$/p' "$boost/copyright" >"$out/package/notices/boost.txt"
 for licence in Apache-2.0 LGPL-3 MPL-2.0; do cp "$notices/../common-licenses/$licence" "$out/package/notices"; done
 for module in flowcert_module check_module; do
   file=$out/package/$module.wasm
