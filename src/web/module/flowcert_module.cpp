@@ -88,7 +88,8 @@ std::string npy_of(const PointSet& points) {
 
 // Points as they came: the numbers of a Float64Array, or the bytes of a file.
 struct Source {
-  Source(const val& points, const Said& said) : name(said.text("name", "points")), reading(said.reading()) {
+  Source(const val& points, const Said& said)
+      : name(on_one_line(said.text("name", "points"))), reading(said.reading()) {
     if (points["BYTES_PER_ELEMENT"].as<int>() == 1) {
       bytes = web::bytes_of(points);
       file = read_points_from(bytes, name, reading);
