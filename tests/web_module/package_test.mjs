@@ -458,7 +458,7 @@ test("a complex that is deleted answers no more", { skip }, async () => {
   await assert.rejects(complex.check("{}"), /deleted/);
 });
 
-test("load comes first, and takes bytes or an address", { skip }, async () => {
+test("load comes first, and takes bytes, an address or a compiled module", { skip }, async () => {
   const copy = join(folder, "moved");
   cpSync(installed, copy, { recursive: true });
   const second = await import(pathToFileURL(join(copy, "index.js")));
@@ -472,6 +472,13 @@ test("load comes first, and takes bytes or an address", { skip }, async () => {
   const complex = new second.FlowComplex(new Float64Array(3));
   assert.equal((await complex.check(complex.records())).verdict, "conforms");
   complex.delete();
+  for (const given of [pathToFileURL(wasm).href, new WebAssembly.Module(readFileSync(wasm))]) {
+    const other = await import(`${pathToFileURL(join(copy, "index.js"))}?${typeof given}`);
+    await other.load({ wasm: given });
+    const point = new other.FlowComplex(new Float64Array(3));
+    assert.deepEqual(point.counts, [1, 0, 0, 0]);
+    point.delete();
+  }
 });
 
 test("the version is the project's", { skip }, () => {

@@ -10,10 +10,10 @@ export class FlowcertError extends Error {
   readonly name: "FlowcertError";
 }
 
-/** Where the two files of WebAssembly are, if not beside the package's own: their bytes, or an address. */
+/** The two files of WebAssembly, if not those beside the package's own: an address, bytes, or a WebAssembly.Module. */
 export interface LoadOptions {
-  wasm?: Uint8Array | ArrayBuffer | string;
-  checkWasm?: Uint8Array | ArrayBuffer | string;
+  wasm?: string | object;
+  checkWasm?: string | object;
 }
 
 /** Loads the module, once. It has to be there before the first FlowComplex is made. */

@@ -17,7 +17,13 @@ export const formats = Object.freeze([
 // What Emscripten's own functions take.
 function place(wasm) {
   if (wasm === undefined) return {};
-  return typeof wasm === "string" ? { locateFile: () => wasm } : { wasmBinary: wasm };
+  if (typeof wasm === "string") return { locateFile: () => wasm };
+  if (!(wasm instanceof WebAssembly.Module)) return { wasmBinary: wasm };
+  const instantiateWasm = (imports, ready) => {
+    WebAssembly.instantiate(wasm, imports).then((instance) => ready(instance, wasm));
+    return {};
+  };
+  return { instantiateWasm };
 }
 
 export async function load(options = {}) {
