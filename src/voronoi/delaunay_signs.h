@@ -36,8 +36,8 @@ class DelaunaySigns {
     return opposite(sign(OutsideSphere{p, q, r, s, t}));
   }
 
-  // Which way p, q and r turn in the first of the projections to xy, yz and xz where they turn at all. Zero iff they are
-  // on one line.
+  // Which way p, q and r turn in the first of the projections to xy, yz and xz where they turn at all. Zero iff they
+  // are on one line.
   [[nodiscard]] Sign turn(const Point& p, const Point& q, const Point& r) const {
     Sign turn = plane_turn({p.x, p.y, 0}, {q.x, q.y, 0}, {r.x, r.y, 0});
     if (turn == Sign::kZero) turn = plane_turn({p.y, p.z, 0}, {q.y, q.z, 0}, {r.y, r.z, 0});

@@ -5,9 +5,10 @@
 // not depend on which. Cells on one sphere become a cluster, and facets on one circle a polygon, by exact signs. What
 // is alone is named by itself, so that a scan pays for that with a few bytes a cell.
 //
-// To be read in this order: compact_delaunay.h has the arrays that CGAL's triangulation is copied to (delaunay.cpp),
-// voronoi_complex.h what merges them, voronoi_diagram.h the faces for inputs of every dimension, voronoi_faces.h the
-// rings. The namespace sees those of the layers below. Public types are in flowcert.
+// To be read in this order: delaunay_signs.h has the signs that CGAL's triangulation rests on (delaunay_kernel.h),
+// compact_delaunay.h the arrays that it is copied to (delaunay.cpp), voronoi_complex.h what merges them,
+// voronoi_diagram.h the faces for inputs of every dimension, voronoi_faces.h the rings. The namespace sees those of the
+// layers below. Public types are in flowcert.
 #pragma once
 
 #include "geometry/layer.h"

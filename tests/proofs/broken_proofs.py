@@ -79,6 +79,8 @@ CHANGES = {
                                         "Number(kAngleBound * kUnitRoundoff) * n[0]", "filters/Predicates.v"),
     "a sign of the in-sphere polynomial": (PREDICATES, "determinant - dot(", "determinant + dot(",
                                            "filters/Predicates.v"),
+    "the reach of a vector on a grid": (PREDICATES, "norm <= kLargestNorm && norm <= reach)", "norm <= kLargestNorm)",
+                                        "filters/Unrounded.v"),
     "a factor of the distance's bound": (DISTANCES, "distance * (1 + ", "distance * (0 + ", "filters/Distances.v"),
     "a side of a cell (also in lanes)": (FORMS, "sphere.determinant * sphere.determinant - s1 - s2",
                                          "sphere.determinant * sphere.determinant - s1 + s2", "filters/Cells.v"),

@@ -1,6 +1,6 @@
-(* Predicates whose points are multiples of a power of two, and near to one another: unrounded_sign() of
-   src/geometry/predicates.h, as it is generated. An answer is the sign of the exact polynomial, zero too, because nothing
-   was rounded (filters/Exact.v). Variable 15 is the reach. *)
+(* Predicates of points that are multiples of a power of two, and near to one another: unrounded_sign() of
+   src/geometry/predicates.h, as it is generated. An answer is the sign of the exact polynomial, zero too, because
+   nothing was rounded (filters/Exact.v). Variable 15 is the reach. *)
 From Coq Require Import Reals ZArith Lra Lia Bool List.
 From Flocq Require Import Core BinarySingleNaN.
 From Flowcert Require Import algebra.Vector3 algebra.Tetrahedron code.Expression code.generated.Constants
