@@ -144,7 +144,7 @@ struct OutsideCircle {
 // The double filter of a query, of the vectors between its points in floating point. It answers nothing where a norm is
 // out of range.
 template <class Query, class Number, std::size_t kVectors>
-[[nodiscard]] MaybeSign filtered_sign(const std::array<Vector3<Number>, kVectors>& vectors) {
+[[nodiscard, gnu::always_inline]] inline MaybeSign filtered_sign(const std::array<Vector3<Number>, kVectors>& vectors) {
   using std::sqrt;
   std::array<Number, kVectors> norms{};
   for (std::size_t i = 0; i < kVectors; ++i) {

@@ -68,10 +68,13 @@ class DelaunaySigns {
 
   template <class Query>
   [[nodiscard]] Sign sign(const Query& query) const {
-    const auto vectors = query.vectors(vector_between<Point>);
-    if (const MaybeSign known = filtered_sign<Query>(vectors)) return *known;
-    if (const MaybeSign known = unrounded_sign<Query>(vectors, reach_)) return *known;
-    return unfiltered_sign(query);
+    if (const MaybeSign known = filtered_sign<Query>(query.vectors(vector_between<Point>))) return *known;
+    return sign_beyond_filter(query);
+  }
+  template <class Query>
+  [[nodiscard, gnu::noinline]] Sign sign_beyond_filter(const Query& query) const {
+    const MaybeSign known = unrounded_sign<Query>(query.vectors(vector_between<Point>), reach_);
+    return known ? *known : unfiltered_sign(query);
   }
 
   double reach_ = 0;
