@@ -2,12 +2,14 @@
 # ./dev fresh: what a newcomer does, on a Debian machine that has nothing.
 #
 # usage: fresh_machine.sh [--suite SUITE] [--new] [--ccache DIR] [--keep] [--only COMMAND]… [--then COMMAND]…
+#                         [--data DIR] [--take PATH]…
 #
 # Makes a bare root of SUITE (bookworm, which is Debian 12, without the option; trixie, Debian 13; sid, unstable) with
 # mmdebstrap (minbase, git, ca-certificates), clones HEAD into it, and runs there, word for word, the commands of
 # README.md's first block; then it installs the library and builds its example with it, and runs each COMMAND of
 # --then. With --only, it runs these commands instead of the README's and the example. The last lines are the time of
 # each step, the clock's and the processors'. Roots and packages are kept in a cache folder; --new makes the root anew.
+# Commands see DIR of --data as FLOWCERT_BENCH_DATA. PATHs of the clone are copied into this tree where all went well.
 #
 # Guarantees: everything is mounted in a mount namespace of its own, so no removal ever sees the machine's own files.
 # Nothing that was installed by hand on this machine is there. Exit status: 0; 1 where a step fails; 3 where no root
@@ -15,7 +17,7 @@
 set -euo pipefail
 repository=$(realpath "$(dirname "$0")/..")
 cache=${XDG_CACHE_HOME:-$HOME/.cache}/flowcert-fresh
-new=0 keep=0 ccache= later=() only=() suite=bookworm
+new=0 keep=0 ccache= data= later=() only=() taken=() suite=bookworm
 
 cannot() { echo "fresh: no bare Debian root can be made here: $*" >&2; exit 3; }
 fail() { echo "fresh: $*" >&2; exit 1; }
@@ -28,6 +30,8 @@ while [ $# -gt 0 ]; do
     --keep) keep=1 ;;
     --ccache) ccache=$(realpath -m "${2:?--ccache DIR}"); shift ;;
     --only) only+=("${2:?--only COMMAND}"); shift ;;
+    --data) data=$(realpath "${2:?--data DIR}"); shift ;;
+    --take) taken+=("${2:?--take PATH}"); shift ;;
     --then) later+=("${2:?--then COMMAND}"); shift ;;
     *) echo "fresh: unknown option $1" >&2; exit 2 ;;
   esac
@@ -177,16 +181,18 @@ inside() {
     [ -z "${!name:-}" ] || settings+=("$name=${!name}")
   done
   [ -z "$ccache" ] || settings+=(CCACHE_DIR=/ccache)
+  [ -z "$data" ] || settings+=(FLOWCERT_BENCH_DATA=/data)
   unshare --mount --pid --fork --kill-child bash -c '
     set -e
-    root=$1 archives=$2 ccache=$3
-    shift 3
+    root=$1 archives=$2 ccache=$3 data=$4
+    shift 4
     mount -t proc proc "$root/proc"
     mount --rbind /dev "$root/dev"
     mount --bind "$archives" "$root/var/cache/apt/archives"
     if [ -n "$ccache" ]; then mkdir -p "$root/ccache"; mount --bind "$ccache" "$root/ccache"; fi
+    if [ -n "$data" ]; then mkdir -p "$root/data"; mount --bind -o ro "$data" "$root/data"; fi
     exec chroot "$root" env -i "${@:2}" bash -c "cd /root/flowcert && $1"
-  ' fresh "$root" "$cache/archives" "$ccache" "$1" "${settings[@]}" </dev/null || return 1
+  ' fresh "$root" "$cache/archives" "$ccache" "$data" "$1" "${settings[@]}" </dev/null || return 1
 }
 
 # ---- All of it. In a function, because bash reads a script as it goes: it may be edited meanwhile.
@@ -206,12 +212,17 @@ main() {
     step "installing ccache" inside \
       'apt-get update -qq && apt-get install -y -qq --no-install-recommends ccache >/dev/null'
   fi
-  local command
+  local command path
   [ ${#only[@]} -eq 0 ] || commands=("${only[@]}")
   for command in "${commands[@]}"; do step "$command" inside "$command"; done
   [ ${#only[@]} -gt 0 ] ||
     step "installing the library, building its example" inside 'bash tests/conformance/install_test.sh build'
   for command in "${later[@]}"; do step "$command" inside "$command"; done
+  for path in "${taken[@]}"; do
+    rm -rf "${repository:?}/$path"
+    mkdir -p "$(dirname "$repository/$path")"
+    cp -r "$root/root/flowcert/$path" "$repository/$path"
+  done
   report
   exit 0
 }
