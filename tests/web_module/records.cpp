@@ -1,0 +1,61 @@
+// What Node's tests compare with the program: all parts of the complex of each file, as records and as persistence.
+//
+// usage: flowcert_records FOLDER FILE…: writes FOLDER/NAME.jsonl and FOLDER/NAME.pers for each FILE, …/NAME.xyz, and
+// prints one JSON object: the seconds of each part and of writing, the bytes of memory so far, or what is wrong.
+#include <chrono>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "flowcert/flow_complex.h"
+#include "flowcert/read_points.h"
+#include "flowcert/write_persistence.h"
+#include "flowcert/write_stationary_points.h"
+
+namespace {
+
+using namespace flowcert;
+using Json = nlohmann::ordered_json;
+
+constexpr std::pair<FlowComplexPart, const char*> kParts[] = {{FlowComplexPart::kTriangulation, "delaunay"},
+                                                              {FlowComplexPart::kStationary, "critical"},
+                                                              {FlowComplexPart::kStable, "s2"},
+                                                              {FlowComplexPart::kUnstable, "u2"},
+                                                              {FlowComplexPart::kLimits, "limits"},
+                                                              {FlowComplexPart::kVolumes, "volumes"},
+                                                              {FlowComplexPart::kPersistence, "pairs"}};
+
+double seconds_of(const auto& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Json written(const std::filesystem::path& folder, const std::string& file) {
+  const FlowComplex complex(PointSet(read_points(file).rows));
+  Json seconds;
+  for (const auto& [part, name] : kParts) seconds[name] = seconds_of([&] { complex.make(part); });
+  const std::filesystem::path stem = folder / std::filesystem::path(file).stem();
+  seconds["records"] = seconds_of([&] {
+    std::ofstream out(stem.string() + ".jsonl", std::ios::binary);
+    write_stationary_points(out, complex, {.u2 = true, .polylines = true, .s2 = true, .skeletons = true, .all = true});
+  });
+  std::ofstream(stem.string() + ".pers", std::ios::binary) << pers_text(PersistenceDiagram(complex, false));
+  return {{"file", file}, {"seconds", seconds}, {"memory", __builtin_wasm_memory_size(0) << 16}};
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  for (int k = 2; k < count; ++k) {
+    Json said;
+    try {
+      said = written(words[1], words[k]);
+    } catch (const std::exception& error) {
+      said = {{"file", words[k]}, {"error", error.what()}};
+    }
+    std::puts(said.dump().c_str());
+  }
+}
