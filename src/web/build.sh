@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# build.sh [--check]: the npm package of WebAssembly, in build-wasm/npm/. It runs on Debian 13 as root, and installs what
-# it needs: ./dev wasm calls it in a root of its own.
+# build.sh [--check]: the npm package of WebAssembly, in build-wasm/npm/. It runs on Debian 13 as root, and installs
+# what it needs: ./dev wasm calls it in a root of its own.
 #
 # --check: also GMP's own tests, and the tests of the modules, which compare them with the program as this machine's g++
 # builds it. FLOWCERT_BENCH_DATA may name a folder with scans, FOLDER/*.xyz, for these.
@@ -28,4 +28,6 @@ install node-typescript python3-minimal
 tests/web_module/gmp_tests.sh build-wasm-libraries
 ./dev build
 python3 tests/web_module/same_bytes.py build/flowcert build-wasm
-FLOWCERT=$PWD/build/flowcert FLOWCERT_TGZ=$(ls "$PWD"/build-wasm/npm/*.tgz) FLOWCERT_TSC=tsc node --test tests/web_module/
+export FLOWCERT=$PWD/build/flowcert FLOWCERT_TSC=tsc FLOWCERT_TGZ
+FLOWCERT_TGZ=$(ls "$PWD"/build-wasm/npm/*.tgz)
+node --test tests/web_module/
