@@ -49,6 +49,7 @@ build_gmp() {
   echo 'all install check:' >source/doc/Makefile.in
   configured --disable-assembly CC_FOR_BUILD=gcc CFLAGS="-O3 -w -include $here/wasm_limbs.h"
   quietly make -j "$(nproc)" install
+  cp source/gmpxx.h "$prefix/include"  # what is in it alone, without a library for C++
 }
 build_mpfr4() {
   configured --with-gmp="$prefix" CFLAGS='-O2 -w'
