@@ -106,7 +106,7 @@ class ComputingPage:
         end = time.monotonic() + 30
         while True:
             new = set(self.folder.iterdir()) - before
-            if new and not any(path.name.endswith((".crdownload", ".tmp")) or path.name.startswith(".") for path in new):
+            if new and not any(path.name.startswith(".") or path.suffix == ".crdownload" for path in new):
                 path, = new
                 return path.name, path.read_bytes()
             assert time.monotonic() < end, "nothing is saved"

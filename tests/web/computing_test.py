@@ -95,18 +95,30 @@ def test_an_error_is_the_programs_sentence(page, program):
     assert page.state() == "shown" and page.said("error") and page.told().startswith("square.xyz: 4 points")
 
 
-def test_options_that_a_sentence_names_can_be_given(page):
-    page.drop(page.file("flat.xyz", "0 0\n2 0\n0 2\n"))
+@pytest.mark.parametrize("name, content, begun, named, given, told", [
+    ("flat.xyz", "0 0\n2 0\n0 2\n", "", "--z 0", "--z 1", "flat.xyz: 3 points; critical points"),
+    ("iron.xyz", "1\niron\nFe 0 0 0\n", "--radii bondi", "--radii bondi,Fe=R", "--radii bondi,Fe=2.04",
+     "iron.xyz: 1 atom;"),
+    ("wet.pdb", inputs.BARREL.read_text(), None, "--atoms \"no water\"", "--atoms \"no water\"", "wet.pdb: 126 atoms;"),
+])
+def test_options_that_a_sentence_names_can_be_given(page, name, content, begun, named, given, told):
+    page.drop(page.file(name, content))
     page.rest()
-    assert "--z" in page.said("error")
     options = page.browser.find("#options")
-    options.send_keys("--nothing 3\ue007")
-    page.rest()
+
+    def again(text):
+        options.clear()
+        options.send_keys(f"{text}\ue007")
+        page.rest()
+
+    if begun:
+        page.browser.find("#more").click()
+        again(begun)
+    assert named in page.said("" if begun is None else "error")
+    again("--nothing 3")
     assert page.said("error") == "there is no option --nothing here"
-    options.clear()
-    options.send_keys("--z 1\ue007")
-    page.rest()
-    assert page.told().startswith("flat.xyz: 3 points; ")
+    again(given)
+    assert page.said("error") == "" and page.told().startswith(told)
 
 
 def test_progress_is_told_and_can_be_cancelled(page):
@@ -193,7 +205,7 @@ def test_it_works_from_disk(browser, computing, tmp_path):
 
 
 def test_from_file_to_picture_in_time(page, computing, factor):
-    """bunny_5000, from the drop to the first frame; the best of three, as other work on the machine only ever delays."""
+    """bunny_5000, from the drop to the first frame; the best of three, as other work only ever delays."""
     packed = re.search(rb'id="bunny_5000.pts">([^<]*)<', computing)[1]
     path = page.file("bunny_5000.pts", gzip.decompress(base64.b64decode(packed)))
     times = []

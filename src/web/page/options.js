@@ -1,22 +1,24 @@
 // Options as the program's sentences name them, `--columns 2,3,4 --atoms "no water"`, as the package takes them:
-// { columns: '2,3,4', atoms: ['no water'] }. An option that is not known is an error in one sentence.
+// { columns: '2,3,4', atoms: ['no water'] }. An option that is not known, or has no value, is an error.
 
-const texts = ['format', 'columns', 'models', 'radii', 'depth', 'probe', 'pockets'];
-const numbers = ['z', 'frame', 'most', 'mostCells', 'mostUnstable', 'mostPockets'];
-const flags = ['skipInvalid', 'unlimited', 'finite', 'cells'];
-const lists = ['atoms', 'chains'];
+const kinds = {
+  ...{ format: String, columns: String, models: String, radii: String, depth: String, probe: String, pockets: String },
+  ...{ z: Number, frame: Number, most: Number, mostCells: Number, mostUnstable: Number, mostPockets: Number },
+  ...{ skipInvalid: Boolean, unlimited: Boolean, finite: Boolean, cells: Boolean, atoms: Array, chains: Array },
+};
 
 export function options_of(text) {
   const options = {};
-  const words = (text.match(/"[^"]*"|[^\s=]+/g) ?? []).map((word) => word.replaceAll('"', ''));
-  for (let k = 0; k < words.length; ++k) {
-    const name = words[k].replace(/^--/, '').replace(/-([a-z])/g, (_, letter) => letter.toUpperCase());
-    const value = flags.includes(name) ? true : words[++k];
-    if (value === undefined) throw new Error(`${words[k - 1]} has no value`);
-    if (lists.includes(name)) (options[name] ??= []).push(value);
-    else if (numbers.includes(name)) options[name] = Number(value);
-    else if (texts.includes(name) || value === true) options[name] = value;
-    else throw new Error(`there is no option ${words[k - 1]} here`);
+  const words = text.replace(/(--[\w-]+)=/g, '$1 ').match(/"[^"]*"|\S+/g) ?? [];
+  while (words.length > 0) {
+    const word = words.shift();
+    const name = word.replace(/^--/, '').replace(/-([a-z])/g, (_, letter) => letter.toUpperCase());
+    const kind = Object.hasOwn(kinds, name) && kinds[name];
+    if (!kind) throw new Error(`there is no option ${word} here`);
+    const value = kind === Boolean || words.shift()?.replaceAll('"', '');
+    if (value === undefined) throw new Error(`${word} has no value`);
+    if (kind === Array) (options[name] ??= []).push(value);
+    else options[name] = kind(value);
   }
   return options;
 }

@@ -7,6 +7,7 @@ import { options_of, with_radii } from './options.js';
 
 const $ = (id) => document.getElementById(id);
 const number = (value) => value.toLocaleString('en');
+const counted = (count, noun) => `${number(count)} ${noun}${count === 1 ? '' : 's'}`;
 const address = (bytes, type) => URL.createObjectURL(new Blob([bytes], { type }));
 
 async function unpacked(id) {
@@ -46,7 +47,8 @@ async function order(input, file) {
   }
 }
 
-function answered({ data }) {
+function answered({ data, target }) {
+  if (target !== worker) return;
   if (data.part) return show_progress(data.part, data.share);
   if (data.error) return fail(data.error);
   if (data.facts) show(worker.input, data);
@@ -122,7 +124,7 @@ function say(text, kind = '') {
 }
 
 function show(input, { bytes, facts }) {
-  const points = `${number(facts.pointCount)} ${facts.hasAtoms ? 'atoms' : 'points'}`;
+  const points = counted(facts.pointCount, facts.hasAtoms ? 'atom' : 'point');
   const counts = facts.counts ? `; critical points of index 0 to 3: ${facts.counts.map(number).join(' + ')}` : '';
   const seconds = ((performance.now() - input.began) / 1000).toFixed(1);
   $('told').textContent = `${input.name}: ${points}${counts}; computed here in ${seconds} s`;
