@@ -49,7 +49,9 @@ class ComputingPage:
         self.browser.driver.get(address)
         self.browser.run("""
           window.parts = [];
-          addEventListener('drop', () => { window.dropped = performance.timeOrigin + performance.now(); }, true);
+          const note = () => { window.dropped = performance.timeOrigin + performance.now(); };
+          addEventListener('drop', note, true);
+          view.addEventListener('load', () => view.contentWindow.addEventListener('drop', note, true));
           new MutationObserver(() => parts.push([part.textContent, progress.value, seconds.textContent])).observe(
             work, {subtree: true, childList: true, attributes: true});""")
 
@@ -61,9 +63,14 @@ class ComputingPage:
     def drop(self, *paths, at=(300, 200)):
         """As a person does, by the browser's own events."""
         data = {"items": [], "files": [str(path) for path in paths], "dragOperationsMask": 1}
+        self.browser.run("window.dropped = 0")
         for kind in ("dragEnter", "dragOver", "drop"):
             self.browser.driver.execute_cdp_cmd("Input.dispatchDragEvent",
                                                 {"type": kind, "x": at[0], "y": at[1], "data": data})
+        end = time.monotonic() + 20
+        while not self.browser.run("return window.dropped"):
+            assert time.monotonic() < end, "the page sees no drop"
+            time.sleep(0.01)
 
     def state(self):
         return self.browser.run("return document.body.dataset.state")

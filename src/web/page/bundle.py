@@ -9,7 +9,6 @@ The page's policy allows two scripts by their hashes: its own, and that of the v
 import base64
 import gzip
 import hashlib
-import html
 import pathlib
 import re
 import subprocess
@@ -27,7 +26,7 @@ def bundled(name, package):
     """A classic script without `</script`. What the package has for Node and for check() stays outside."""
     command = ["esbuild", name, "--bundle", "--minify", "--format=iife", "--target=es2022", "--charset=ascii",
                "--legal-comments=none", "--log-level=error", f"--alias:flowcert={package / 'index.js'}",
-               *(f"--external:{other}" for other in ("node:*", "module", "./flowcert_check.js"))]
+               *(f"--external:{other}" for other in ("node:*", "module", "./check_module.js"))]
     return subprocess.run(command, cwd=SOURCE, check=True, stdout=subprocess.PIPE).stdout
 
 
@@ -40,6 +39,12 @@ def packed(name, content):
     return f'<script type="text/plain" id="{name}">{data}</script>\n'
 
 
+def notices(package):
+    """Those of the package, but for Boost's: its licence asks for none in a program, and Debian has 2 MB of them."""
+    texts = [package / "NOTICES.md", package / "LICENSE", *sorted((package / "notices").iterdir())]
+    return b"\n\n".join(text.read_bytes() for text in texts if "boost" not in text.name)
+
+
 def main():
     if len(sys.argv) != 3:
         sys.exit(__doc__)
@@ -48,12 +53,12 @@ def main():
     script = "\n" + bundled("page.js", package).decode("ascii")
     with tarfile.open(ARCHIVE) as archive:
         bunny = archive.extractfile(BUNNY).read()
-    data = {"flowcert.wasm": (package / "flowcert.wasm").read_bytes(), "worker.js": bundled("worker.js", package),
-            "bunny_5000.pts": bunny, "cube.xyz": (SOURCE / "cube.xyz").read_bytes(), "cage.xyz": CAGE.read_bytes()}
+    data = {"module.wasm": (package / "flowcert_module.wasm").read_bytes(), "worker.js": bundled("worker.js", package),
+            "bunny_5000.pts": bunny, "cube.xyz": (SOURCE / "cube.xyz").read_bytes(), "cage.xyz": CAGE.read_bytes(),
+            "notices.txt": notices(package)}
     parts = {
         "HASHES": " ".join(map(script_hash, [*viewers, script])),
         "STYLE": (VIEWER / "page.css").read_text() + (SOURCE / "page.css").read_text(),
-        "NOTICES": html.escape((package / "NOTICES.md").read_text()),
         "DATA": "".join(packed(name, content) for name, content in data.items()),
         "SCRIPT": script,
     }

@@ -18,12 +18,12 @@ async function unpacked(id) {
 
 // Once for all workers.
 const compiled = Promise.all([
-  unpacked('flowcert.wasm').then((bytes) => WebAssembly.compile(bytes)),
+  unpacked('module.wasm').then((bytes) => WebAssembly.compile(bytes)),
   unpacked('worker.js').then((code) => address(code, 'text/javascript')),
 ]);
 
-// Inputs are { name, bytes, options, began }: the one that was taken last, the one whose page is in the frame, and the
-// one that is computed, null if it was cancelled. The worker has its own as `input`.
+// Inputs are { name, content, options, began }: the one that was taken last, the one whose page is in the frame, and the
+// one that is computed, null if it was cancelled. The worker has its own as `input`. Contents may be promises.
 let taken = null, shown = null, ordered = null;
 let worker = null, clock = 0;
 
@@ -32,14 +32,15 @@ let worker = null, clock = 0;
 async function order(input, file) {
   ordered = input;
   set_busy(true);
+  const broken = (error) => fail(`${input.name}: ${error.message}`);
   try {
-    const [module, script] = await compiled;
+    const [[module, script], bytes] = await Promise.all([compiled, input.content]);
     if (ordered !== input) return;
     let first = {};
     if (worker?.input !== input) {
       worker?.terminate();
       worker = Object.assign(new Worker(script), { input, onmessage: answered, onerror: broken });
-      first = { module, bytes: input.bytes, name: input.name, options: input.options };
+      first = { module, bytes, name: input.name, options: input.options };
     }
     worker.postMessage({ file, ...first });
   } catch (error) {
@@ -48,15 +49,13 @@ async function order(input, file) {
 }
 
 function answered({ data, target }) {
-  if (target !== worker) return;
+  if (target !== worker || worker.input !== ordered) return;
   if (data.part) return show_progress(data.part, data.share);
   if (data.error) return fail(data.error);
   if (data.facts) show(worker.input, data);
   else save(data.file, data.bytes);
   set_busy(false);
 }
-
-const broken = (event) => fail(`This browser cannot compute it: ${event.message}`);
 
 function end() {
   worker?.terminate();
@@ -71,28 +70,24 @@ function fail(sentence) {
 
 // ---- What is taken ----
 
-function take(name, bytes, text = '') {
+function take(name, content, text = '') {
   say('');
   $('options').value = text;
-  taken = { name, bytes, began: performance.now() };
+  taken = { name, content, began: performance.now() };
   try {
     taken.options = options_of(text);
-    order(taken, 'page');
   } catch (error) {
-    fail(error.message);
+    return fail(error.message);
   }
+  order(taken, 'page');
 }
 
-async function take_files(files) {
-  if (files.length > 1) return fail('One file at a time.');
-  for (const file of files)
-    await file.arrayBuffer().then(
-      (bytes) => take(file.name, new Uint8Array(bytes)),
-      (error) => fail(`${file.name}: ${error.message}`),
-    );
+function take_files(files) {
+  if (files.length > 1) fail('One file at a time.');
+  else if (files.length === 1) take(files[0].name, files[0].arrayBuffer());
 }
 
-const again = (text) => take(taken.name, taken.bytes, text);
+const again = (text) => take(taken.name, taken.content, text);
 
 // ---- What is shown ----
 
@@ -165,7 +160,10 @@ function accept_drops(target) {
 
 accept_drops(window);
 $('view').addEventListener('load', () => accept_drops($('view').contentWindow));
-on($('file'), 'change', ({ target }) => take_files([...target.files]).then(() => (target.value = '')));
+on($('file'), 'change', ({ target }) => {
+  take_files(target.files);
+  target.value = '';
+});
 for (const [target, type] of [[$('cancel'), 'click'], [$('work'), 'cancel']])
   on(target, type, () => {
     end();
@@ -180,13 +178,16 @@ on($('back'), 'click', () => {
 on($('again'), 'submit', () => again($('options').value));
 on($('radii'), 'change', ({ target }) => again(with_radii($('options').value, target.value)));
 for (const button of document.querySelectorAll('[data-example]'))
-  on(button, 'click', async () => take(button.dataset.example, await unpacked(button.dataset.example),
-    button.dataset.options));
+  on(button, 'click', () =>
+    take(button.dataset.example, unpacked(button.dataset.example), button.dataset.options));
 for (const button of document.querySelectorAll('[data-file]'))
   on(button, 'click', () => {
     if (button.dataset.file === 'page') save('page', shown.page);
     else order(shown, button.dataset.file);
   });
+on($('licence'), 'toggle', async () => {
+  $('notices').textContent = new TextDecoder().decode(await unpacked('notices.txt'));
+});
 
 const night = matchMedia('(prefers-color-scheme: dark)');
 const choose_theme = () => (document.documentElement.dataset.theme = night.matches ? 'dark' : 'light');
