@@ -19,7 +19,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 def pytest_addoption(parser):
     parser.addoption("--flowcert", default=str(ROOT / "build" / "flowcert"), help="the program")
-    parser.addoption("--computing", default=str(ROOT / "build" / "wasm" / "flowcert.html"),
+    parser.addoption("--computing", default=str(ROOT / "build-wasm" / "flowcert.html"),
                      help="the page that computes")
     parser.addoption("--factor", type=float, default=1.0, help="times may be so many times longer, on a busy machine")
 

@@ -39,12 +39,6 @@ def packed(name, content):
     return f'<script type="text/plain" id="{name}">{data}</script>\n'
 
 
-def notices(package):
-    """Those of the package, but for Boost's: its licence asks for none in a program, and Debian has 2 MB of them."""
-    texts = [package / "NOTICES.md", package / "LICENSE", *sorted((package / "notices").iterdir())]
-    return b"\n\n".join(text.read_bytes() for text in texts if "boost" not in text.name)
-
-
 def main():
     if len(sys.argv) != 3:
         sys.exit(__doc__)
@@ -53,9 +47,10 @@ def main():
     script = "\n" + bundled("page.js", package).decode("ascii")
     with tarfile.open(ARCHIVE) as archive:
         bunny = archive.extractfile(BUNNY).read()
+    notices = [package / "NOTICES.md", package / "LICENSE", *sorted((package / "notices").iterdir())]
     data = {"module.wasm": (package / "flowcert_module.wasm").read_bytes(), "worker.js": bundled("worker.js", package),
             "bunny_5000.pts": bunny, "cube.xyz": (SOURCE / "cube.xyz").read_bytes(), "cage.xyz": CAGE.read_bytes(),
-            "notices.txt": notices(package)}
+            "notices.txt": b"\n\n".join(text.read_bytes() for text in notices)}
     parts = {
         "HASHES": " ".join(map(script_hash, [*viewers, script])),
         "STYLE": (VIEWER / "page.css").read_text() + (SOURCE / "page.css").read_text(),
