@@ -30,6 +30,9 @@ async function begin(order) {
   complex = new FlowComplex(order.bytes, { ...options, name: order.name, progress });
 }
 
+// Of what fails while the module starts nobody else hears.
+onunhandledrejection = ({ reason }) => postMessage({ error: reason.message ?? String(reason) });
+
 onmessage = async ({ data }) => {
   try {
     if (data.bytes) await begin(data);
