@@ -79,7 +79,7 @@ function plain(object) {
 }
 const json = (bytes) => plain(JSON.parse(bytes));
 const shortened = (bytes) =>
-  Buffer.from(bytes).toString("latin1").replace(/"version":.*?"cgal":"[^"]*"|, by flowcert .*?CGAL [0-9.]*\)/g, "");
+  Buffer.from(bytes).toString("latin1").replace(/"version":.*?"cgal":"[^"]*"|(by|#) flowcert .*?CGAL [0-9.]*\)/g, "");
 
 async function made(name, options = {}) {
   await flowcert.load();
