@@ -38,7 +38,7 @@ void AtomNames::add(const AtomName& name) {
 AtomName AtomNames::operator[](PointId row) const {
   AtomName name;
   std::string_view rest(fields_);
-  rest.remove_prefix(offsets_[row]);
+  rest.remove_prefix(static_cast<std::size_t>(offsets_[row]));
   for (std::string_view* field : {&name.chain, &name.residue, &name.number, &name.atom, &name.element}) {
     const std::size_t size = static_cast<unsigned char>(rest.front());
     *field = rest.substr(1, size);

@@ -73,7 +73,7 @@ void AtomRadii::read_base() {
     source_ = Source::kPqr;
   } else if (base.starts_with(kColumn)) {
     source_ = Source::kColumn;
-    column_ = written_count(base.substr(kColumn.size()), place);
+    column_ = written_size(base.substr(kColumn.size()), place);
     if (column_ == 0) place.reject("columns are counted from 1");
   } else if (base.starts_with(kTable)) {
     read_table(std::string(base.substr(kTable.size())));

@@ -380,15 +380,16 @@ int claimed_index(std::string_view text, const LinePlace& place) {
 
 // ---- Counts ----
 
-std::uint64_t written_count(std::string_view text, const LinePlace& place) {
-  std::uint64_t count = 0;
+namespace {
+
+template <class Number>
+Number count_in(std::string_view text, const LinePlace& place) {
+  Number count = 0;
   const char* const end = text.data() + text.size();
   const auto result = std::from_chars(text.data(), end, count);
   if (result.ptr != end || result.ec != std::errc()) place.reject("not a count: " + in_quotes(text));
   return count;
 }
-
-namespace {
 
 struct Commas : std::numpunct<char> {
  protected:
@@ -397,6 +398,11 @@ struct Commas : std::numpunct<char> {
 };
 
 }  // namespace
+
+std::uint64_t written_count(std::string_view text, const LinePlace& place) {
+  return count_in<std::uint64_t>(text, place);
+}
+std::size_t written_size(std::string_view text, const LinePlace& place) { return count_in<std::size_t>(text, place); }
 
 std::string with_commas(unsigned long long value) {
   static const std::locale commas(std::locale::classic(), new Commas);

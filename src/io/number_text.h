@@ -91,6 +91,8 @@ inline constexpr PointId kLargestId = 2147483646;
 
 // Digits alone; anything else is refused.
 [[nodiscard]] std::uint64_t written_count(std::string_view text, const LinePlace& place);
+// A count of what is in memory. A browser, with 32 bits of it, refuses larger ones.
+[[nodiscard]] std::size_t written_size(std::string_view text, const LinePlace& place);
 
 // As people read them: "34,835".
 [[nodiscard]] std::string with_commas(unsigned long long value);

@@ -39,7 +39,7 @@ Rational exact_number(std::string_view field, const LinePlace& place) {
 }
 
 void PointRows::reserve(std::uint64_t announced, std::size_t bytes, std::size_t smallest) {
-  points_.rows.reserve(std::min<std::uint64_t>(announced, bytes / smallest + 1));
+  points_.rows.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(announced, bytes / smallest + 1)));
 }
 
 bool PointRows::add(const std::array<std::string_view, 3>& fields, const LinePlace& place) {

@@ -170,7 +170,7 @@ void read_binary(const PcdHeader& header, std::string_view bytes, PointRows& row
     }
     rows.add(Point{position[0], position[1], position[2]});
   }
-  reject_further_bytes(bytes.substr(header.points * header.bytes), rows.file());
+  reject_further_bytes(bytes.substr(static_cast<std::size_t>(header.points * header.bytes)), rows.file());
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ void SurfaceSelection::add(const std::string& expression, std::size_t option) {
   } else if (rest.starts_with(kRadius)) {
     radii_below_.push_back(bound_of(rest.substr(kRadius.size())));
   } else if (rest.starts_with(kLargestGaps)) {
-    const std::size_t count = written_count(rest.substr(kLargestGaps.size()), place);
+    const std::size_t count = written_size(rest.substr(kLargestGaps.size()), place);
     largest_gaps_ = largest_gaps_ ? std::min(*largest_gaps_, count) : count;
   } else {
     place.reject("none of persistence>X, index2-radius<R and largest-gaps=N: " + in_quotes(expression));

@@ -128,7 +128,7 @@ ColumnPlaces ChosenColumns::places(const std::optional<ColumnNames>& names, cons
       places[axis] = *found;
       continue;
     }
-    const std::uint64_t number = written_count(word, place);
+    const std::size_t number = written_size(word, place);
     if (number == 0) throw InvalidInput("--columns counts from 1: " + in_quotes(word));
     places[axis] = number - 1;
   }

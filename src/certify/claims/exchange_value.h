@@ -194,7 +194,7 @@ inline ClaimedPosition position_of(const ExchangeValue& value) {
   return {number_of(value[0]), number_of(value[1]), number_of(value[2])};
 }
 
-inline std::size_t count_of(const ExchangeValue& value) { return written_count(value.number_text(), value.place()); }
+inline std::size_t count_of(const ExchangeValue& value) { return written_size(value.number_text(), value.place()); }
 
 inline std::vector<PointId> ids_of(const ExchangeValue& value) {
   return list_of(value, [](const ExchangeValue& id) { return claimed_id(id.number_text(), id.place()); });

@@ -325,7 +325,7 @@ class VtpParser {
     EncodedVtpArray& array = slot.emplace();
     array.place = place();
     array.type = attributes.get("type", place());
-    array.components = written_count(attributes.find("NumberOfComponents").value_or("1"), place());
+    array.components = written_size(attributes.find("NumberOfComponents").value_or("1"), place());
     if (array.components == 0 || array.components > kMostComponents)
       place().reject("not a number of components: " + std::to_string(array.components));
     const std::string_view format = attributes.find("format").value_or("ascii");
