@@ -14,21 +14,25 @@ export const formats = Object.freeze([
   "table", "pts", "chemical", "off", "ply", "obj", "pcd", "npy", "pdb", "pqr", "cif",
 ]);
 
-// What Emscripten's own functions take.
-function place(wasm) {
+// What Emscripten's own functions take. They never hear of a compiled module that cannot be made to run: fail() does.
+function place(wasm, fail) {
   if (wasm === undefined) return {};
   if (typeof wasm === "string") return { locateFile: () => wasm };
   if (!(wasm instanceof WebAssembly.Module)) return { wasmBinary: wasm };
   const instantiateWasm = (imports, ready) => {
-    WebAssembly.instantiate(wasm, imports).then((instance) => ready(instance, wasm));
+    WebAssembly.instantiate(wasm, imports).then((instance) => ready(instance, wasm)).catch(fail);
     return {};
   };
   return { instantiateWasm };
 }
 
+function made(create, wasm) {
+  return new Promise((resolve, reject) => create(place(wasm, reject)).then(resolve, reject));
+}
+
 export async function load(options = {}) {
   checkWasm = options.checkWasm ?? checkWasm;
-  loading ??= createFlowcert(place(options.wasm));
+  loading ??= made(createFlowcert, options.wasm);
   try {
     core = await loading;
   } catch (error) {
@@ -38,7 +42,7 @@ export async function load(options = {}) {
 }
 
 async function checkModule() {
-  checking ??= import("./check_module.js").then((made) => made.default(place(checkWasm)));
+  checking ??= import("./check_module.js").then((module) => made(module.default, checkWasm));
   try {
     return await checking;
   } catch (error) {
