@@ -467,6 +467,9 @@ test("load comes first, and takes bytes, an address or a compiled module", { ski
   renameSync(join(copy, "flowcert_module.wasm"), wasm);
   rmSync(join(copy, "check_module.wasm"));
   await assert.rejects(second.load());
+  // A module that imports b of a, which nobody gives it.
+  const foreign = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 2, 7, 1, 1, 97, 1, 98, 0, 0];
+  await assert.rejects(second.load({ wasm: new WebAssembly.Module(new Uint8Array(foreign)) }));
   await second.load({ wasm: readFileSync(wasm), checkWasm });
   await Promise.all([second.load(), second.load()]);
   const complex = new second.FlowComplex(new Float64Array(3));
