@@ -27,6 +27,7 @@ ARROWS = {
     "src/certify/programs": ["src/certify"],
     "src/cli": ["src/certify/programs"],
     "src/python": ["src/certify"],
+    "src/web/module": ["src/certify"],
     "oracle": [],
     "oracle/fast": ["oracle"],
     "oracle/program": ["oracle/fast"],
@@ -46,6 +47,7 @@ ARROWS = {
     "tests/hostile": ["tests"],
     "tests/unit": ["tests/property", "tests/vectors", "fuzz/campaign", "fuzz/judge", "src/cli"],
     "tests/bench": ["tests/property"],
+    "tests/web_module": ["src/certify"],
 }
 # The program's main file alone puts together what the other folders keep apart.
 COMPOSITION = {"src/cli/main.cpp": ["fuzz/commands"], "src/python/generators.cpp": ["fuzz/inputs"]}
@@ -56,8 +58,10 @@ LEFT_OUT = {
     "fuzz/commands/mpi": "MPI is not everywhere; ./dev mpi builds it",
     "fuzz/targets/make_seeds.cpp": "it made fuzz/corpus, and no test runs it",
     "src/python": "the Python package needs pybind11",
+    "src/web/module": "./dev wasm compiles it, by emscripten",
     "tests/bench": "benchmarks; ./dev bench builds them",
     "tests/rivals": "./dev rivals compiles it",
+    "tests/web_module": "./dev wasm compiles it, by emscripten",
     "tests/conformance/mpi_campaign_test.cpp": "it tests what MPI builds",
 }
 
