@@ -13,7 +13,7 @@ namespace flowcert::io {
 class Sha256 {
  public:
   void add(std::span<const std::byte> bytes);
-  // Of all bytes so far, as 64 hexadecimal digits. Nothing can be added after it.
+  // The digest of all bytes so far, as 64 hexadecimal digits. Nothing can be added after it.
   [[nodiscard]] std::string hexadecimal();
 
  private:

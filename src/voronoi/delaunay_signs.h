@@ -25,7 +25,7 @@ class DelaunaySigns {
     if (grid.fits_small()) reach_ = grid.exact_reach();
   }
 
-  // Of det(q - p, r - p, s - p).
+  // The sign of det(q - p, r - p, s - p).
   [[nodiscard]] Sign orientation(const Point& p, const Point& q, const Point& r, const Point& s) const {
     return sign(Orientation{p, q, r, s});
   }
@@ -59,7 +59,7 @@ class DelaunaySigns {
  private:
   [[nodiscard]] static Sign opposite(Sign sign) { return static_cast<Sign>(-static_cast<int>(sign)); }
 
-  // Of three points with z = 0. A fourth one above p makes it an orientation; its height is on the grid of the points.
+  // All three have z = 0. A fourth point above p makes it an orientation. Its height is on the grid of the points.
   [[nodiscard]] Sign plane_turn(const Point& p, const Point& q, const Point& r) const {
     if ((p.x == q.x && p.x == r.x) || (p.y == q.y && p.y == r.y)) return Sign::kZero;
     const double height = std::max({greatest_coordinate(p), greatest_coordinate(q), greatest_coordinate(r)});

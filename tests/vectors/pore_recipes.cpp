@@ -123,7 +123,7 @@ class PoreWriter {
   void asked(const std::string& comment, const Rows4& rows, const std::vector<PoreQuestion>& questions) {
     recipes_.push_back({case_id("pores", recipes_.size() + 1), comment, rows, questions});
   }
-  // Of the last one.
+  // The claim is of the recipe that was added last.
   void claimed(const std::vector<std::string>& lines, const std::vector<std::string>& reasons = {}) {
     recipes_.back().claims.push_back({lines, reasons});
   }
