@@ -330,12 +330,11 @@ Json data_of_balls(const std::string& name, std::span<const Point> centres, cons
 
 // The data as the text of a script element: nothing in it can end the element, or begin a comment.
 void write_page_with(std::ostream& out, const Json& data) {
-  constexpr std::string_view kPlace = R"(<script type="application/json" id="flowcert-data">null</script>)";
   constexpr std::string_view kNull = "null</script>";
   const std::string_view page = viewer_template();
-  const std::size_t at = page.find(kPlace);
+  const std::size_t at = page.find(kPlaceOfData);
   if (at == std::string_view::npos) throw std::logic_error("the viewer's page has no place for data");
-  const std::size_t data_at = at + kPlace.size() - kNull.size();
+  const std::size_t data_at = at + kPlaceOfData.size() - kNull.size();
   out << page.substr(0, data_at)
       << boost::replace_all_copy(data.dump(-1, ' ', false, Json::error_handler_t::replace), "<", "\\u003c")
       << page.substr(data_at + std::string_view("null").size());

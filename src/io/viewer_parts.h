@@ -15,8 +15,10 @@
 
 namespace flowcert::io {
 
-// src/viewer/page.html, without data, as it was when the program was compiled.
+// src/viewer/page.html, without data, as it was when the program was compiled. A program that has the page elsewhere
+// defines this function itself: what it returns has kPlaceOfData once.
 [[nodiscard]] std::string_view viewer_template();
+inline constexpr std::string_view kPlaceOfData = R"(<script type="application/json" id="flowcert-data">null</script>)";
 
 // ---- Arrays ----
 // Planes of bytes, compressed, in base64.

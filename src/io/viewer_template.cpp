@@ -4,29 +4,16 @@
 
 #include "io/viewer_parts.h"
 
-// In WebAssembly the assembler asks for the kind of a section, and for the kind and the size of each name.
-#ifdef __wasm__
-#define FLOWCERT_BEGIN_DATA                        \
-  ".section .rodata.flowcert_viewer_page,\"\",@\n" \
-  ".type flowcert_viewer_page_start,@object\n"     \
-  ".type flowcert_viewer_page_end,@object\n"       \
-  ".size flowcert_viewer_page_end,1\n"             \
-  ".size flowcert_viewer_page_start,flowcert_viewer_page_end-flowcert_viewer_page_start\n"
-#define FLOWCERT_END_DATA ""
-#else
-#define FLOWCERT_BEGIN_DATA ".section .rodata\n"
-#define FLOWCERT_END_DATA ".previous\n"
-#endif
-
 // CMake gives the path, and assembles this file anew when the page has changed.
-asm(FLOWCERT_BEGIN_DATA
+asm(".section .rodata\n"
     ".global flowcert_viewer_page_start\n"
     ".global flowcert_viewer_page_end\n"
     "flowcert_viewer_page_start:\n"
     ".incbin \"" FLOWCERT_VIEWER_PAGE
     "\"\n"
     "flowcert_viewer_page_end:\n"
-    ".byte 0\n" FLOWCERT_END_DATA);
+    ".byte 0\n"
+    ".previous\n");
 
 extern "C" const char flowcert_viewer_page_start[];  // NOLINT: the assembler's name
 extern "C" const char flowcert_viewer_page_end[];    // NOLINT: the assembler's name

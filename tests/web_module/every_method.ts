@@ -26,8 +26,8 @@ const diameters = complex.pores({ radii: 1.7, depth: 0.5, finite: true }).chambe
 const files: Uint8Array[] = [
   complex.records({ manifolds: "all" }),
   complex.surface({ select: ["largest-gaps=3"], format: "off" }),
-  complex.page({ cells: true, pockets: "auto" }),
-  complex.page({ radii: "bondi", probe: 1.4 }),
+  await complex.page({ cells: true, pockets: "auto" }),
+  await complex.page({ radii: "bondi", probe: 1.4 }),
 ];
 const report: CheckReport = await complex.check(files[0], { name: "claim.jsonl", levels: 3, indices: [1, 2] });
 if (report.verdict === "fails") throw new FlowcertError(report.findings[0].sentence);

@@ -28,11 +28,15 @@
 #include "io/ordered_text.h"
 #include "io/pocket_persistence.h"
 #include "io/viewer_page.h"
+#include "io/viewer_parts.h"
 #include "io/write_cycles.h"
 #include "io/write_pockets.h"
 #include "io/write_pores.h"
 #include "morse/part_text.h"
 #include "web/module/said.h"
+
+// The page is a file beside the module, which index.js puts around the data.
+std::string_view flowcert::io::viewer_template() { return kPlaceOfData; }
 
 namespace flowcert::web {
 

@@ -248,9 +248,12 @@ export class FlowComplex {
    * "index2-radius<1.6spacing", "persistence>auto" or "largest-gaps=20". format: "ply" without it.
    */
   surface(options?: { select?: string | string[]; format?: "ply" | "off" }): Uint8Array;
-  /** A page of HTML that shows the complex, or atoms as balls, without a network. It is free of the GPL (README.md). */
-  page(options?: PageOptions): Uint8Array;
-  page(options: Radii & { depth?: Decimal; probe?: Decimal }): Uint8Array;
+  /**
+   * A page of HTML that shows the complex, or atoms as balls, without a network. It is free of the GPL (README.md). The
+   * first call loads the page without data.
+   */
+  page(options?: PageOptions): Promise<Uint8Array>;
+  page(options: Radii & { depth?: Decimal; probe?: Decimal }): Promise<Uint8Array>;
 
   /** Whether a claim about these points is right, by a second module, which the first call loads. */
   check(claim: string | Uint8Array | ArrayBuffer, options?: CheckOptions): Promise<CheckReport>;

@@ -167,8 +167,10 @@ export class FlowComplex {
     return this.#ask("surface", options);
   }
 
-  page(options) {
-    return this.#ask(options?.radii === undefined ? "page" : "pageOfBalls", options);
+  async page(options) {
+    const data = this.#ask(options?.radii === undefined ? "page" : "pageOfBalls", options);
+    const { before, behind } = await import("./viewer_page.js");
+    return new Uint8Array(await new Blob([before, data, behind]).arrayBuffer());
   }
 
   async check(claim, options = {}) {

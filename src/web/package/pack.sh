@@ -13,6 +13,14 @@ rm -rf "$out/package"
 mkdir -p "$out/package/notices"
 cp "$here"/{NOTICES.md,README.md,index.d.ts,index.js,package.json} "$here/../../../LICENSE" "$out/package"
 cp "$modules"/{flowcert,check}_module.{js,wasm} "$out/package"
+# The page as it is before and behind its data. Nothing of it is under the GPL.
+node -e '
+  const [page, out] = process.argv.slice(1), place = `<script type="application/json" id="flowcert-data">null</script>`;
+  const parts = fs.readFileSync(page, "utf8").split(place);
+  if (parts.length !== 2) throw new Error("the page has its place for data once");
+  const names = ["before", "behind"].map((name, k) => `export const ${name} = ${JSON.stringify(parts[k])};\n`);
+  fs.writeFileSync(out, names.join(""));
+' "$here/../../viewer/page.html" "$out/package/viewer_page.js"
 for package in "${packages[@]}"; do cp -L "$notices/$package/copyright" "$out/package/notices/$package.txt"; done
 # The two megabytes of Boost's file are of parts that are not used.
 boost=$(ls -d "$notices"/libboost1.*-dev | head -n 1)

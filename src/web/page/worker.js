@@ -36,7 +36,7 @@ onunhandledrejection = ({ reason }) => postMessage({ error: reason.message ?? St
 onmessage = async ({ data }) => {
   try {
     if (data.bytes) await begin(data);
-    const bytes = files[data.file]();
+    const bytes = await files[data.file]();
     postMessage({ file: data.file, bytes, facts: data.file === 'page' ? facts() : null }, [bytes.buffer]);
   } catch (error) {
     postMessage({ error: error.message ?? String(error) });
