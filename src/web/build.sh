@@ -28,6 +28,4 @@ install node-typescript python3-minimal
 tests/web_module/gmp_tests.sh build-wasm-libraries
 ./dev build
 python3 tests/web_module/same_bytes.py build/flowcert build-wasm
-export FLOWCERT=$PWD/build/flowcert FLOWCERT_TSC=tsc FLOWCERT_TGZ
-FLOWCERT_TGZ=$(ls "$PWD"/build-wasm/npm/*.tgz)
-node --test tests/web_module/
+tests/web_module/package_test.sh "$PWD/build/flowcert"

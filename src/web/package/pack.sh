@@ -32,3 +32,4 @@ for module in flowcert_module check_module; do
 done
 cd "$out"
 npm pack --offline --silent ./package
+git -C "$here" rev-parse HEAD >commit
