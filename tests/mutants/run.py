@@ -50,6 +50,7 @@ LIKELY = {
     "src/geometry/enclosing_ball": ["explain_test"],
     "src/geometry/": ["flow_operator_test", "vectors_fast_test", "explain_test", "orbit_agreement_test",
                       "orbit_cascades_test"],
+    "src/voronoi/delaunay_signs": ["delaunay_signs_test"],
     "src/voronoi/voronoi_complex": ["voronoi_complex_test"],
     "src/voronoi/voronoi_faces": ["voronoi_faces_test"],
     "src/voronoi/voronoi_diagram": ["voronoi_faces_test"],
