@@ -1,11 +1,12 @@
 #include "io/coordinate_rounding.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <string_view>
+#include <string>
 
 namespace flowcert::io {
 
@@ -15,18 +16,16 @@ bool is_float(double x) {
   return std::fabs(x) <= std::numeric_limits<float>::max() && static_cast<double>(static_cast<float>(x)) == x;
 }
 
-// How many decimal places the shortest decimal has; negative for a multiple of ten.
+// How many decimal places the shortest decimal has; negative for a multiple of ten. {fmt} knows it by a tenth of the
+// tables that libc++ has for std::to_chars.
 template <typename Number>
 int decimal_places(Number x) {
-  constexpr std::size_t kLongest = 32;
-  std::array<char, kLongest> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x, std::chars_format::scientific).ptr;
-  const std::string_view text(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
-  const std::size_t e = text.find('e'), point = text.find('.');
+  const std::string text = fmt::to_string(x);
+  const std::size_t e = std::min(text.find('e'), text.size()), point = text.find('.');
   const int digits = point < e ? static_cast<int>(e - point) - 1 : 0;
-  const std::size_t exponent_at = text[e + 1] == '+' ? e + 2 : e + 1;
+  const std::size_t exponent_at = text.substr(e, 2) == "e+" ? e + 2 : e + 1;
   int exponent = 0;
-  std::from_chars(text.data() + exponent_at, end, exponent);
+  if (e < text.size()) std::from_chars(text.data() + exponent_at, text.data() + text.size(), exponent);
   return digits - exponent;
 }
 
