@@ -1,13 +1,15 @@
 // What Node's tests compare with the program: all parts of the complex of each file, as records and as persistence.
 //
-// usage: flowcert_records FOLDER FILE…: writes FOLDER/NAME.jsonl and FOLDER/NAME.pers for each FILE, …/NAME.xyz, and
-// prints one JSON object: the seconds of each part and of writing, the bytes of memory so far, or what is wrong.
+// usage: flowcert_records FOLDER [--lines] FILE…: writes FOLDER/NAME.jsonl and FOLDER/NAME.pers for each FILE,
+// …/NAME.xyz, and prints one JSON object: the seconds of each part and of writing, the bytes of memory so far, or what
+// is wrong. --lines: also polylines and skeletons, which are gigabytes for a scan.
 #include <chrono>
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "flowcert/flow_complex.h"
 #include "flowcert/read_points.h"
@@ -33,14 +35,15 @@ double seconds_of(const auto& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-Json written(const std::filesystem::path& folder, const std::string& file) {
+Json written(const std::filesystem::path& folder, const std::string& file, bool has_lines) {
   const FlowComplex complex(PointSet(read_points(file).rows));
   Json seconds;
   for (const auto& [part, name] : kParts) seconds[name] = seconds_of([&] { complex.make(part); });
   const std::filesystem::path stem = folder / std::filesystem::path(file).stem();
   seconds["records"] = seconds_of([&] {
     std::ofstream out(stem.string() + ".jsonl", std::ios::binary);
-    write_stationary_points(out, complex, {.u2 = true, .polylines = true, .s2 = true, .skeletons = true, .all = true});
+    write_stationary_points(out, complex,
+                            {.u2 = true, .polylines = has_lines, .s2 = true, .skeletons = has_lines, .all = true});
   });
   std::ofstream(stem.string() + ".pers", std::ios::binary) << pers_text(PersistenceDiagram(complex, false));
   return {{"file", file}, {"seconds", seconds}, {"memory", __builtin_wasm_memory_size(0) << 16}};
@@ -49,10 +52,11 @@ Json written(const std::filesystem::path& folder, const std::string& file) {
 }  // namespace
 
 int main(int count, char** words) {
-  for (int k = 2; k < count; ++k) {
+  const bool has_lines = count > 2 && std::string_view(words[2]) == "--lines";
+  for (int k = has_lines ? 3 : 2; k < count; ++k) {
     Json said;
     try {
-      said = written(words[1], words[k]);
+      said = written(words[1], words[k], has_lines);
     } catch (const std::exception& error) {
       said = {{"file", words[k]}, {"error", error.what()}};
     }

@@ -1,4 +1,5 @@
-"""Whether WebAssembly writes what the program writes: records with all parts, and persistence, to the byte.
+"""Whether WebAssembly writes what the program writes: records with all parts, and persistence, to the byte. Records of
+small inputs have polylines and skeletons, too, which are gigabytes for a scan.
 
 usage: same_bytes.py FLOWCERT MODULES
 
@@ -55,10 +56,10 @@ def write_inputs(folder):
     return small, large
 
 
-def native(program, file, out):
+def native(program, file, out, lines):
     """What the program says of a file, as flowcert_records does."""
     pairs = None
-    words = ["--manifolds", "u2,s2,all", "--polylines", "--skeletons", "-o", f"{out / file.stem}.jsonl"]
+    words = [*lines, "--manifolds", "u2,s2,all", "-o", f"{out / file.stem}.jsonl"]
     run = subprocess.run([program, "compute", file, "--threads", "1", "--json", *words], capture_output=True, text=True)
     if run.returncode == 0:
         words = ["--threads", "1", "-o", f"{out / file.stem}.pers"]
@@ -69,9 +70,9 @@ def native(program, file, out):
     return {"seconds": json.loads(run.stdout)["seconds"]}
 
 
-def in_node(program, files, out):
-    lines = subprocess.run(["node", program, out, *files], check=True, capture_output=True, text=True).stdout
-    return [json.loads(line) for line in lines.splitlines()]
+def in_node(program, files, out, words):
+    said = subprocess.run(["node", program, out, *words, *files], check=True, capture_output=True, text=True).stdout
+    return [json.loads(line) for line in said.splitlines()]
 
 
 def content(path):
@@ -80,13 +81,14 @@ def content(path):
     return re.sub(rb'("compiler":"|compiler: )[^";]*', b"", data, count=1)
 
 
-def compare(program, records, files, folder):
+def compare(program, records, files, folder, has_lines):
     """The first differences, how many bytes are equal, and what both say of each file."""
     differences, equal, said = [], 0, []
+    our_words, their_words = (["--polylines", "--skeletons"], ["--lines"]) if has_lines else ([], [])
     for name in ("native", "node"):
         (folder / name).mkdir(exist_ok=True)
-    for file, there in zip(files, in_node(records, files, folder / "node"), strict=True):
-        here = native(program, file, folder / "native")
+    for file, there in zip(files, in_node(records, files, folder / "node", their_words), strict=True):
+        here = native(program, file, folder / "native", our_words)
         said.append((here, there))
         # The program says of which file it is, and the library does not.
         if here.get("error") not in (there.get("error"), f"{file}: {there.get('error')}"):
@@ -116,13 +118,13 @@ def main():
         folder = Path(name)
         small, large = write_inputs(folder)
         records = modules / "flowcert_records.js"
-        differences, equal, said = compare(program, records, small, folder)
+        differences, equal, said = compare(program, records, small, folder, True)
         refused = sum("error" in here for here, _ in said)
         print(f"same_bytes: {len(small)} inputs of the vectors, {refused} of them refused; {equal} bytes are the same")
         print(f"\n{'':16}" + "".join(f"{part:>10}" for part in (*PARTS, "all")) + "   times the program's, one thread")
         most = 0
         for file in large:  # each in a process of its own, for its memory
-            more, equal, [(here, there)] = compare(program, records, [file], folder)
+            more, equal, [(here, there)] = compare(program, records, [file], folder, False)
             differences += more
             if "error" not in here and "error" not in there:
                 print(row(file, here, there) + f"{equal:12} bytes")
