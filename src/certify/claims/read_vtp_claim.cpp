@@ -111,14 +111,16 @@ void EncodedBytes::decode_four() {
 std::string EncodedBytes::take(std::uint64_t count) {
   if (!is_base64_) {
     if (count > rest_.size()) place_.reject("cut short in the binary data");
-    std::string bytes(rest_.substr(0, count));
-    rest_.remove_prefix(count);
+    const auto size = static_cast<std::size_t>(count);
+    std::string bytes(rest_.substr(0, size));
+    rest_.remove_prefix(size);
     return bytes;
   }
   while (decoded_.size() < count) decode_four();
-  std::string left = decoded_.substr(count);
+  const auto size = static_cast<std::size_t>(count);
+  std::string left = decoded_.substr(size);
   std::string bytes = std::move(decoded_);
-  bytes.resize(count);
+  bytes.resize(size);
   decoded_ = std::move(left);
   return bytes;
 }
@@ -422,7 +424,7 @@ std::string decompressed(EncodedBytes& encoded, const VtpDocument& document, std
   // NOLINTNEXTLINE(performance-inefficient-vector-operation)
   for (std::uint64_t k = 0; k < blocks; ++k) compressed_sizes.push_back(next_header_number(encoded, document));
   std::string bytes;
-  for (std::uint64_t k = 0; k < blocks; ++k) {
+  for (std::size_t k = 0; k < compressed_sizes.size(); ++k) {
     const std::uint64_t size = k + 1 == blocks && last_size != 0 ? last_size : block_size;
     if (size > needed - bytes.size()) place.reject("more compressed data than the number of points asks for");
     if (bytes.size() + size > document.most_bytes) place.reject(complaint_about_growth("compressed data"));
@@ -495,7 +497,8 @@ VtpValues VtpDecoder::decode(const EncodedVtpArray& array, std::uint64_t tuples)
     return values;
   }
   if (array.offset > document_.appended.size()) array.place.reject("an offset beyond the appended data");
-  EncodedBytes encoded(document_.appended.substr(array.offset), !document_.appended_is_raw, array.place);
+  const auto offset = static_cast<std::size_t>(array.offset);
+  EncodedBytes encoded(document_.appended.substr(offset), !document_.appended_is_raw, array.place);
   values.bytes_ = binary_bytes(encoded, document_, needed, array.place);
   // Otherwise many arrays at one offset could together decode to far more than the file holds.
   if (encoded.taken() > appended_left_) array.place.reject("arrays that share appended data");
