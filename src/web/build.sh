@@ -20,7 +20,7 @@ src/web/libraries.sh build-wasm-libraries
 # emscripten asks the cache about what clang compiles. It takes ccache itself for a compiler.
 if command -v ccache >/dev/null; then export EM_COMPILER_WRAPPER=/usr/bin/ccache; fi
 cmake --preset wasm -Wno-dev
-cmake --build build-wasm --target flowcert_module check_module flowcert_records
+cmake --build build-wasm --target flowcert_module radii_module check_module flowcert_records
 src/web/package/pack.sh build-wasm /usr/share/doc build-wasm/npm
 
 [ "${1:-}" = --check ] || exit 0

@@ -20,9 +20,10 @@ const death: string | undefined = complex.persistence({ zero: true })[0].death?.
 const text: string = complex.persistenceText({ plain: true });
 const [cycle] = complex.cycles({ dimension: 1, longest: 3, level: "25%", witness: true });
 const loops: number[][] | undefined = cycle.polygons;
-const depths = complex.pockets({ persistence: "auto", probe: 1.4 }).pockets.map((pocket) => pocket.depth);
-const cavities = complex.pockets({ radii: "bondi", probe: "1/3" }).cavities.length;
-const diameters = complex.pores({ radii: 1.7, depth: 0.5, finite: true }).chambers.map((chamber) => chamber.diameter);
+const depths = (await complex.pockets({ persistence: "auto", probe: 1.4 })).pockets.map((pocket) => pocket.depth);
+const cavities = (await complex.pockets({ radii: "bondi", probe: "1/3" })).cavities.length;
+const pores = await complex.pores({ radii: 1.7, depth: 0.5, finite: true });
+const diameters = pores.chambers.map((chamber) => chamber.diameter);
 const files: Uint8Array[] = [
   complex.records({ manifolds: "all" }),
   complex.surface({ select: ["largest-gaps=3"], format: "off" }),

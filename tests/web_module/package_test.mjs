@@ -210,18 +210,18 @@ test("cycles are those of cycles --json", { skip }, async () => {
 });
 
 test("pockets, cavities and pores are those of the program", { skip }, async () => {
-  await withEach(all, (complex, name) => {
-    assert.deepEqual(plain(complex.pockets()), json(printed("pockets", name, "--json")));
+  await withEach(all, async (complex, name) => {
+    assert.deepEqual(plain(await complex.pockets()), json(printed("pockets", name, "--json")));
     const words = ["--persistence", "0", "--probe", "0.9", "--volumes", "exact"];
     const options = { persistence: 0, probe: 0.9, volumes: "exact" };
-    assert.deepEqual(plain(complex.pockets(options)), json(printed("pockets", name, "--json", ...words)));
+    assert.deepEqual(plain(await complex.pockets(options)), json(printed("pockets", name, "--json", ...words)));
     if (name !== "cage.xyz" && name !== "octahedron.ply") return;
     const radii = name === "cage.xyz" ? "bondi,H=1.1" : "1/3";
     const cavities = printed("pockets", name, "--radii", radii, "--probe", "1/7", "--json");
-    assert.deepEqual(plain(complex.pockets({ radii, probe: "1/7" })), json(cavities));
+    assert.deepEqual(plain(await complex.pockets({ radii, probe: "1/7" })), json(cavities));
     const pores = printed("pores", name, "--radii", radii, "--depth", "0.5", "--probe", "1.4", "--json");
-    assert.deepEqual(plain(complex.pores({ radii, depth: 0.5, probe: 1.4 })), json(pores));
-    assert.deepEqual(plain(complex.pores({ radii })), json(printed("pores", name, "--radii", radii, "--json")));
+    assert.deepEqual(plain(await complex.pores({ radii, depth: 0.5, probe: 1.4 })), json(pores));
+    assert.deepEqual(plain(await complex.pores({ radii })), json(printed("pores", name, "--radii", radii, "--json")));
   });
 });
 
@@ -261,7 +261,7 @@ function sharesBytes(page, module, size) {
 test("pages are those of view, and nothing of a module is in them", { skip }, async () => {
   const template = readFileSync(join(root, "src/viewer/page.html"), "utf8").split('id="flowcert-data">null</script>');
   assert.equal(template.length, 2);
-  const modules = ["flowcert_module", "check_module"].flatMap((name) => [`${name}.wasm`, `${name}.js`]);
+  const modules = ["flowcert_module", "radii_module", "check_module"].flatMap((name) => [`${name}.wasm`, `${name}.js`]);
   const ours = [...modules, "index.js"].map((name) => readFileSync(join(installed, name)));
   const with64 = Buffer.concat([Buffer.from("???"), ours[0].subarray(5000, 5064), Buffer.from("???")]);
   assert.ok(sharesBytes(with64, ours[0], 64));
@@ -329,15 +329,18 @@ test("check says what check --json says", { skip }, async () => {
   cage.delete();
 });
 
-test("the second module is loaded when it is asked for", { skip }, async () => {
+test("other modules are loaded when they are asked for", { skip }, async () => {
   const copy = join(folder, "copy");
   cpSync(installed, copy, { recursive: true });
-  for (const file of ["check_module.js", "check_module.wasm"]) rmSync(join(copy, file));
+  const files = ["check", "radii"].flatMap((part) => [`${part}_module.js`, `${part}_module.wasm`]);
+  for (const file of files) rmSync(join(copy, file));
   const first = await import(pathToFileURL(join(copy, "index.js")));
   await first.load();
   const complex = new first.FlowComplex(new Float64Array([0, 0, 0, 2, 0, 0]));
   assert.deepEqual(complex.counts, [2, 1, 0, 0]);
   await assert.rejects(complex.check(complex.records()), { code: "ERR_MODULE_NOT_FOUND" });
+  await assert.rejects(complex.pores({ radii: 1 }), { code: "ERR_MODULE_NOT_FOUND" });
+  assert.equal((await complex.pockets()).pockets.length, 0);
   complex.delete();
 });
 
@@ -371,18 +374,22 @@ test("invalid input gives the program's sentences", { skip }, async () => {
   }
   path("cube.xyz");
   const complex = await made("cube.xyz");
-  refused(() => complex.pockets({ persistence: -1 }), "pockets", "cube.xyz", "--persistence", "-1");
-  refused(() => complex.pockets({ probe: "x" }), "pockets", "cube.xyz", "--probe", "x");
   refused(() => complex.cycles({ level: "200%" }), "cycles", "cube.xyz", "--level", "200%");
   refused(() => complex.cycles({ pair: "1/2" }), "cycles", "cube.xyz", "--pair", "1/2");
-  refused(() => complex.pores({ radii: "bondi" }), "pores", "cube.xyz", "--radii", "bondi");
-  refused(() => complex.pores({ radii: 0 }), "pores", "cube.xyz", "--radii", "0");
   refused(() => complex.surface({ select: "foo<1" }), "surface", "cube.xyz", "-o", "s.ply", "--select", "foo<1");
-  const error = await complex.page({ pockets: "foo" }).catch((thrown) => thrown);
-  const fail = () => {
-    throw error;
-  };
-  refused(fail, "view", "cube.xyz", "-o", "v.html", "--pockets", "foo");
+  for (const [promise, ...words] of [
+    [complex.pockets({ persistence: -1 }), "pockets", "--persistence", "-1"],
+    [complex.pockets({ probe: "x" }), "pockets", "--probe", "x"],
+    [complex.pores({ radii: "bondi" }), "pores", "--radii", "bondi"],
+    [complex.pores({ radii: 0 }), "pores", "--radii", "0"],
+    [complex.page({ pockets: "foo" }), "view", "-o", "v.html", "--pockets", "foo"],
+  ]) {
+    const error = await promise.catch((thrown) => thrown);
+    const fail = () => {
+      throw error;
+    };
+    refused(fail, words[0], "cube.xyz", ...words.slice(1));
+  }
   await assert.rejects(complex.check("cavity 1\n"), { message: /^--radii is needed: / });
   await assert.rejects(complex.check("{}", { name: "c.json" }), flowcert.FlowcertError);
   complex.delete();

@@ -8,14 +8,10 @@
 
 #include <cstdint>
 #include <memory>
-#include <sstream>
 #include <utility>
 
-#include "flowcert/ball_cavities.h"
 #include "flowcert/flow_complex.h"
 #include "flowcert/pockets.h"
-#include "flowcert/pores.h"
-#include "flowcert/read_balls.h"
 #include "flowcert/reproducibility.h"
 #include "flowcert/surface.h"
 #include "flowcert/write_persistence.h"
@@ -28,40 +24,16 @@
 #include "io/ordered_text.h"
 #include "io/pocket_persistence.h"
 #include "io/viewer_page.h"
-#include "io/viewer_parts.h"
 #include "io/write_cycles.h"
 #include "io/write_pockets.h"
-#include "io/write_pores.h"
 #include "morse/part_text.h"
 #include "web/module/said.h"
-
-// The page is a file beside the module, which index.js puts around the data.
-std::string_view flowcert::io::viewer_template() { return kPlaceOfData; }
 
 namespace flowcert::web {
 
 using namespace io;
 
 namespace {
-
-val text_of(const auto& write) {
-  std::ostringstream out;
-  write(out);
-  return val(std::move(out).str());
-}
-
-val bytes_of(const std::string& bytes) {
-  return array_of(std::span(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
-}
-val bytes_of(const auto& write) {
-  std::ostringstream out;
-  write(out);
-  return bytes_of(std::move(out).str());
-}
-
-std::optional<Rational> length_if_said(const Said& said, const char* name, const char* option) {
-  return said.has(name) ? std::optional(length_of_option(said.text(name), option)) : std::nullopt;
-}
 
 // ---- Points ----
 
@@ -131,7 +103,7 @@ struct Complex {
   FlowComplex flow;
 };
 
-val content(const Complex& complex, const Said&) { return bytes_of(complex.content()); }
+val content(const Complex& complex, const Said&) { return array_of_bytes(complex.content()); }
 
 // What is known before anything is computed.
 val facts(const Complex& complex, const Said&) {
@@ -229,51 +201,18 @@ val cycles(const Complex& complex, const Said& said) {
   const bool has_witness = said.flag("witness");
   if (has_witness && choice.dimension != 1) throw InvalidInput("--witness is for --dimension 1");
   const std::vector<Cycle> found = flowcert::cycles(complex.flow, choice, complex.said.telling("cycles"));
-  return text_of([&](std::ostream& out) { write_cycles(out, {complex.flow, choice.dimension, found, has_witness}); });
+  return written_text(
+      [&](std::ostream& out) { write_cycles(out, {complex.flow, choice.dimension, found, has_witness}); });
 }
 
 val pockets(const Complex& complex, const Said& said) {
   std::optional<Probe> probe;
-  if (const auto radius = length_if_said(said, "probe", "--probe")) probe = Probe{*radius};
+  if (const auto radius = said.length("probe", "--probe")) probe = Probe{*radius};
   const Rational squared = pocket_persistence(complex.flow, said.text("persistence", "auto"), "--persistence").square;
   const Pockets pockets(complex.flow.merge_trees(), squared);
   const bool is_exact = said.text("volumes") == "exact";
-  return text_of(
+  return written_text(
       [&](std::ostream& out) { write_pockets(out, {complex.flow, pockets, probe, is_exact, complex.source.atoms()}); });
-}
-
-// ---- Atoms with radii ----
-
-BallFile balls_of(const Complex& complex, const Said& said) {
-  ReadingOptions reading = complex.source.reading;
-  reading.finite = said.flag("finite");
-  return read_balls_from(complex.content(), complex.source.name, reading, AtomRadii(said.text("radii")));
-}
-
-val cavities(const Complex& complex, const Said& said) {
-  const Rational probe = length_of_option(said.text("probe"), "--probe");
-  const BallSet balls(balls_of(complex, said).balls);
-  const std::vector<BallCavity> cavities = ball_cavities(balls, probe);
-  const std::string radii = on_one_line(said.text("radii"));
-  return text_of(
-      [&](std::ostream& out) { write_cavities(out, {balls, cavities, probe, complex.source.atoms(), radii}); });
-}
-
-// write: is given the pores, and the rows of the file.
-val with_pores(const Complex& complex, const Said& said, const auto& write) {
-  const Rational depth = length_of_option(said.text("depth", "0.1"), "--depth");
-  const auto probe = length_if_said(said, "probe", "--probe");
-  const BallFile read = balls_of(complex, said);
-  const BallSet balls(read.balls);
-  const Pores pores(balls, depth);
-  return write(PoresToWrite{pores, depth, probe, complex.source.atoms(), on_one_line(said.text("radii"))},
-               read.file.rows);
-}
-
-val pores(const Complex& complex, const Said& said) {
-  return with_pores(complex, said, [](const PoresToWrite& what, const std::vector<Point>&) {
-    return text_of([&](std::ostream& out) { write_pores(out, what); });
-  });
 }
 
 // ---- Files ----
@@ -284,7 +223,7 @@ val records(const Complex& complex, const Said& said) {
   wanted.all = manifolds == "all";
   wanted.u2 = wanted.all || manifolds == "u2";
   wanted.s2 = wanted.all || manifolds == "s2";
-  return bytes_of(
+  return written_bytes(
       [&](std::ostream& out) { write_stationary_points(out, complex.flow, wanted, complex.said.telling("records")); });
 }
 
@@ -294,13 +233,7 @@ val surface(const Complex& complex, const Said& said) {
       naming(complex.source.name, [&] { return surface_mesh(complex.flow, sets, complex.said.telling("surface")); });
   const std::string made_by = made_by_text("flowcert-surface", 1, complex.flow.points());
   const auto write = said.text("format") == "off" ? write_off : write_ply;
-  return bytes_of([&](std::ostream& out) { write(out, mesh, made_by); });
-}
-
-val page_of_balls(const Complex& complex, const Said& said) {
-  return with_pores(complex, said, [&](const PoresToWrite& what, const std::vector<Point>& rows) {
-    return bytes_of([&](std::ostream& out) { write_viewer_page(out, complex.source.name, rows, what); });
-  });
+  return written_bytes([&](std::ostream& out) { write(out, mesh, made_by); });
 }
 
 val page(const Complex& complex, const Said& said) {
@@ -315,7 +248,7 @@ val page(const Complex& complex, const Said& said) {
     content.pockets = &pockets.emplace(complex.flow.merge_trees(), squared);
   }
   return naming(complex.source.name, [&] {
-    return bytes_of(
+    return written_bytes(
         [&](std::ostream& out) { write_viewer_page(out, complex.flow, content, complex.said.telling("page")); });
   });
 }
@@ -348,10 +281,7 @@ EMSCRIPTEN_BINDINGS(flowcert) {
       .function("persistenceText", &answered<persistence_text>)
       .function("cycles", &answered<cycles>)
       .function("pockets", &answered<pockets>)
-      .function("cavities", &answered<cavities>)
-      .function("pores", &answered<pores>)
       .function("records", &answered<records>)
       .function("surface", &answered<surface>)
-      .function("page", &answered<page>)
-      .function("pageOfBalls", &answered<page_of_balls>);
+      .function("page", &answered<page>);
 }

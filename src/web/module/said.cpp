@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "io/number_text.h"
+
 namespace flowcert::web {
 
 namespace {
@@ -34,6 +36,10 @@ std::size_t Said::count(const char* name, std::size_t otherwise) const {
   throw InvalidInput(std::string(name) + ": no whole number from 0 on: " + text(name));
 }
 
+std::optional<Rational> Said::length(const char* name, const char* option) const {
+  return has(name) ? std::optional(io::length_of_option(text(name), option)) : std::nullopt;
+}
+
 ReadingOptions Said::reading() const {
   ReadingOptions options{.format = text("format"),
                          .columns = text("columns"),
@@ -61,6 +67,10 @@ std::string bytes_of(const val& array) {
   val(emscripten::typed_memory_view(bytes.size(), reinterpret_cast<unsigned char*>(bytes.data())))
       .call<void>("set", array);
   return bytes;
+}
+
+val array_of_bytes(const std::string& bytes) {
+  return array_of(std::span(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
 }
 
 }  // namespace flowcert::web

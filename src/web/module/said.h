@@ -9,12 +9,15 @@
 #include <cstddef>
 #include <exception>
 #include <new>
+#include <optional>
 #include <span>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "flowcert/progress.h"
+#include "flowcert/rational.h"
 #include "flowcert/read_points.h"
 #include "io/foreign_text.h"
 
@@ -37,6 +40,8 @@ class Said {
   [[nodiscard]] double number(const char* name, double otherwise) const;
   // Throws InvalidInput for what is no whole number from 0 on.
   [[nodiscard]] std::size_t count(const char* name, std::size_t otherwise) const;
+  // A length that the program takes as `option`.
+  [[nodiscard]] std::optional<Rational> length(const char* name, const char* option) const;
 
   // How a file of points is read.
   [[nodiscard]] ReadingOptions reading() const;
@@ -55,6 +60,20 @@ class Said {
 template <class Number>
 [[nodiscard]] val array_of(std::span<Number> numbers) {
   return val(emscripten::typed_memory_view(numbers.size(), numbers.data())).template call<val>("slice");
+}
+
+[[nodiscard]] val array_of_bytes(const std::string& bytes);
+
+// What is written to a stream, as a text or as a Uint8Array.
+[[nodiscard]] val written_text(const auto& write) {
+  std::ostringstream out;
+  write(out);
+  return val(std::move(out).str());
+}
+[[nodiscard]] val written_bytes(const auto& write) {
+  std::ostringstream out;
+  write(out);
+  return array_of_bytes(std::move(out).str());
 }
 
 // The result of the work, or JavaScript's exception.

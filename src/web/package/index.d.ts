@@ -10,10 +10,11 @@ export class FlowcertError extends Error {
   readonly name: "FlowcertError";
 }
 
-/** The two files of WebAssembly, if not those beside the package's own: an address, bytes, or a WebAssembly.Module. */
+/** The files of WebAssembly, if not those beside the package's own: an address, bytes, or a WebAssembly.Module. */
 export interface LoadOptions {
   wasm?: string | object;
   checkWasm?: string | object;
+  radiiWasm?: string | object;
 }
 
 /** Loads the module, once. It has to be there before the first FlowComplex is made. */
@@ -235,11 +236,11 @@ export class FlowComplex {
   }): Cycle[];
 
   /** Pockets between points. persistence: "auto" without it; probe: a radius, measured to the points. */
-  pockets(options?: { persistence?: Decimal; probe?: Decimal; volumes?: "double" | "exact" }): PocketsObject;
+  pockets(options?: { persistence?: Decimal; probe?: Decimal; volumes?: "double" | "exact" }): Promise<PocketsObject>;
   /** Cavities between atoms, for a probe that is measured to their surfaces. */
-  pockets(options: Radii & { probe: Decimal }): CavitiesObject;
+  pockets(options: Radii & { probe: Decimal }): Promise<CavitiesObject>;
   /** Chambers between atoms, for probes of all radii, and their windows. depth: 0.1 without it. */
-  pores(options: Radii & { depth?: Decimal; probe?: Decimal }): PoresObject;
+  pores(options: Radii & { depth?: Decimal; probe?: Decimal }): Promise<PoresObject>;
 
   /** All stationary points as lines of JSON: the file of `flowcert compute -o`, and a claim that check() takes. */
   records(options?: { manifolds?: "u2" | "s2" | "all"; polylines?: boolean; skeletons?: boolean }): Uint8Array;

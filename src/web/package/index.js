@@ -1,10 +1,15 @@
-// What index.d.ts declares, over the two modules of WebAssembly.
+// What index.d.ts declares, over the modules of WebAssembly.
 //
 // Guarantees: an input that cannot be used is a FlowcertError with the program's sentence. Whatever else is thrown, as
-// by a function `progress`, comes through as it is. The second module is neither asked for nor loaded before check().
+// by a function `progress`, comes through as it is. The modules for radii and for check() are neither asked for nor
+// loaded before a method needs them.
 import createFlowcert from "./flowcert_module.js";
 
-let core, loading, checking, checkWasm;
+let core, loading;
+const later = {
+  check: { glue: () => import("./check_module.js") },
+  radii: { glue: () => import("./radii_module.js") },
+};
 
 export class FlowcertError extends Error {
   name = "FlowcertError";
@@ -31,7 +36,8 @@ function made(create, wasm) {
 }
 
 export async function load(options = {}) {
-  checkWasm = options.checkWasm ?? checkWasm;
+  later.check.wasm = options.checkWasm ?? later.check.wasm;
+  later.radii.wasm = options.radiiWasm ?? later.radii.wasm;
   loading ??= made(createFlowcert, options.wasm);
   try {
     core = await loading;
@@ -41,12 +47,12 @@ export async function load(options = {}) {
   }
 }
 
-async function checkModule() {
-  checking ??= import("./check_module.js").then((module) => made(module.default, checkWasm));
+async function moduleOf(part) {
+  part.loading ??= part.glue().then((module) => made(module.default, part.wasm));
   try {
-    return await checking;
+    return await part.loading;
   } catch (error) {
-    checking = undefined;
+    part.loading = undefined;
     throw error;
   }
 }
@@ -71,6 +77,8 @@ function fractionOf(text) {
   const [numerator, denominator = "1"] = text.split("/");
   return Object.freeze({ text, numerator: BigInt(numerator), denominator: BigInt(denominator) });
 }
+
+const hasRadii = (options) => options?.radii !== undefined && options.radii !== null;
 
 export class FlowComplex {
   #core;
@@ -151,12 +159,19 @@ export class FlowComplex {
     return JSON.parse(this.#ask("cycles", options)).cycles;
   }
 
-  pockets(options) {
-    return JSON.parse(this.#ask(options?.radii === undefined ? "pockets" : "cavities", options));
+  // Atoms with radii have no flow complex: they are read anew, with their radii.
+  async #askRadii(method, options) {
+    const content = this.#ask("content");
+    const module = await moduleOf(later.radii);
+    return asked(() => module[method](content, this.#read, options));
   }
 
-  pores(options) {
-    return JSON.parse(this.#ask("pores", options));
+  async pockets(options) {
+    return JSON.parse(await (hasRadii(options) ? this.#askRadii("pockets", options) : this.#ask("pockets", options)));
+  }
+
+  async pores(options = {}) {
+    return JSON.parse(await this.#askRadii("pores", options));
   }
 
   records(options) {
@@ -168,7 +183,7 @@ export class FlowComplex {
   }
 
   async page(options) {
-    const data = this.#ask(options?.radii === undefined ? "page" : "pageOfBalls", options);
+    const data = await (hasRadii(options) ? this.#askRadii("page", options) : this.#ask("page", options));
     const { before, behind } = await import("./viewer_page.js");
     return new Uint8Array(await new Blob([before, data, behind]).arrayBuffer());
   }
@@ -176,7 +191,7 @@ export class FlowComplex {
   async check(claim, options = {}) {
     const claimed = bytesOf(claim, "a claim that is no text");
     const content = this.#ask("content");
-    const { check } = await checkModule();
+    const { check } = await moduleOf(later.check);
     return JSON.parse(asked(() => check(content, this.#read, claimed, options)));
   }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # pack.sh MODULES NOTICES OUT: the npm package, OUT/flowcert-VERSION.tgz. Needs npm, and no network.
 #
-# MODULES has the four files that the build makes, and NOTICES is /usr/share/doc of the system that they were made on,
+# MODULES has the files that the build makes, and NOTICES is /usr/share/doc of the system that they were made on,
 # beside its common-licenses. Prints the sizes of the modules as they are and compressed.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
@@ -12,7 +12,7 @@ packages=(emscripten libcgal-dev libeigen3-dev libexpat1-dev libfast-float-dev l
 rm -rf "$out/package"
 mkdir -p "$out/package/notices"
 cp "$here"/{NOTICES.md,README.md,index.d.ts,index.js,package.json} "$here/../../../LICENSE" "$out/package"
-cp "$modules"/{flowcert,check}_module.{js,wasm} "$out/package"
+cp "$modules"/{flowcert,radii,check}_module.{js,wasm} "$out/package"
 # The page as it is before and behind its data. Nothing of it is under the GPL.
 node -e '
   const [page, out] = process.argv.slice(1), place = `<script type="application/json" id="flowcert-data">null</script>`;
@@ -26,7 +26,7 @@ for package in "${packages[@]}"; do cp -L "$notices/$package/copyright" "$out/pa
 boost=$(ls -d "$notices"/libboost1.*-dev | head -n 1)
 sed -n '/^ Boost Software License - /,/^$/p' "$boost/copyright" >"$out/package/notices/boost.txt"
 for licence in Apache-2.0 LGPL-3 MPL-2.0; do cp "$notices/../common-licenses/$licence" "$out/package/notices"; done
-for module in flowcert_module check_module; do
+for module in flowcert_module radii_module check_module; do
   file=$out/package/$module.wasm
   echo "$module.wasm: $(stat -c %s "$file") bytes, $(gzip -9c "$file" | wc -c) with gzip"
 done

@@ -48,7 +48,8 @@ def main():
     with tarfile.open(ARCHIVE) as archive:
         bunny = archive.extractfile(BUNNY).read()
     notices = [package / "NOTICES.md", package / "LICENSE", *sorted((package / "notices").iterdir())]
-    data = {"module.wasm": (package / "flowcert_module.wasm").read_bytes(), "worker.js": bundled("worker.js", package),
+    data = {"module.wasm": (package / "flowcert_module.wasm").read_bytes(),
+            "radii.wasm": (package / "radii_module.wasm").read_bytes(), "worker.js": bundled("worker.js", package),
             "bunny_5000.pts": bunny, "cube.xyz": (SOURCE / "cube.xyz").read_bytes(), "cage.xyz": CAGE.read_bytes(),
             "notices.txt": b"\n\n".join(text.read_bytes() for text in notices)}
     parts = {

@@ -16,11 +16,13 @@ async function unpacked(id) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-// Once for all workers.
+// Once for all workers. The module for radii waits until it is needed.
+const module_of = async (id) => WebAssembly.compile(await unpacked(id));
 const compiled = Promise.all([
-  unpacked('module.wasm').then((bytes) => WebAssembly.compile(bytes)),
+  module_of('module.wasm'),
   unpacked('worker.js').then((code) => address(code, 'text/javascript')),
 ]);
+let radii_compiled = null;
 
 // Inputs are { name, content, options, began }: the one that was taken last, the one whose page is in the frame, and the
 // one that is computed, null if it was cancelled. The worker has its own as `input`. Contents may be promises.
@@ -34,13 +36,14 @@ async function order(input, file) {
   set_busy(true);
   const broken = (error) => fail(`${input.name}: ${error.message}`);
   try {
-    const [[module, script], bytes] = await Promise.all([compiled, input.content]);
+    if (input.options.radii) radii_compiled ??= module_of('radii.wasm');
+    const [[module, script], radii, bytes] = await Promise.all([compiled, radii_compiled, input.content]);
     if (ordered !== input) return;
     let first = {};
     if (worker?.input !== input) {
       worker?.terminate();
       worker = Object.assign(new Worker(script), { input, onmessage: answered, onerror: broken });
-      first = { module, bytes, name: input.name, options: input.options };
+      first = { module, radii, bytes, name: input.name, options: input.options };
     }
     worker.postMessage({ file, ...first });
   } catch (error) {

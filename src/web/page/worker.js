@@ -26,7 +26,7 @@ function facts() {
 
 async function begin(order) {
   options = order.options;
-  await load({ wasm: order.module });
+  await load({ wasm: order.module, radiiWasm: order.radii ?? undefined });
   complex = new FlowComplex(order.bytes, { ...options, name: order.name, progress });
 }
 
