@@ -44,15 +44,15 @@ configured() {
 }
 
 build_gmp() {
-  # Debian leaves the manual out.
+  # Debian leaves the manual out. No number here is so long that products by Fourier transforms would pay.
   mkdir -p source/doc
   echo 'all install check:' >source/doc/Makefile.in
-  configured --disable-assembly CC_FOR_BUILD=gcc CFLAGS="-O3 -w -include $here/wasm_limbs.h"
+  configured --disable-assembly --disable-fft CC_FOR_BUILD=gcc CFLAGS="-O2 -w -include $here/wasm_limbs.h"
   quietly make -j "$(nproc)" install
   cp source/gmpxx.h "$prefix/include"  # what is in it alone, without a library for C++
 }
 build_mpfr4() {
-  configured --with-gmp="$prefix" CFLAGS='-O2 -w'
+  configured --with-gmp="$prefix" CFLAGS='-Os -w'
   quietly make -j "$(nproc)" -C src install
 }
 # compiled LIBRARY OPTION… FILE…
