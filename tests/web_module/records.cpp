@@ -1,8 +1,9 @@
 // What Node's tests compare with the program: all parts of the complex of each file, as records and as persistence.
 //
-// usage: flowcert_records FOLDER [--lines] FILE…: writes FOLDER/NAME.jsonl and FOLDER/NAME.pers for each FILE,
-// …/NAME.xyz, and prints one JSON object: the seconds of each part and of writing, the bytes of memory so far, or what
-// is wrong. --lines: also polylines and skeletons, which are gigabytes for a scan.
+// usage: flowcert_records FOLDER WHAT FILE…: writes FOLDER/NAME.jsonl and FOLDER/NAME.pers for each FILE, …/NAME.xyz,
+// and prints one JSON object: the seconds of each part and of writing, the bytes of memory so far, or what is wrong.
+// WHAT: "lines", with polylines and skeletons, which are gigabytes for a scan; "records", without; "pairs", the second
+// file alone.
 #include <chrono>
 #include <exception>
 #include <filesystem>
@@ -35,12 +36,14 @@ double seconds_of(const auto& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-Json written(const std::filesystem::path& folder, const std::string& file, bool has_lines) {
+Json written(const std::filesystem::path& folder, const std::string& file, std::string_view what) {
   const FlowComplex complex(PointSet(read_points(file).rows));
   Json seconds;
   for (const auto& [part, name] : kParts) seconds[name] = seconds_of([&] { complex.make(part); });
   const std::filesystem::path stem = folder / std::filesystem::path(file).stem();
+  const bool has_lines = what == "lines";
   seconds["records"] = seconds_of([&] {
+    if (what == "pairs") return;
     std::ofstream out(stem.string() + ".jsonl", std::ios::binary);
     write_stationary_points(out, complex,
                             {.u2 = true, .polylines = has_lines, .s2 = true, .skeletons = has_lines, .all = true});
@@ -52,11 +55,10 @@ Json written(const std::filesystem::path& folder, const std::string& file, bool 
 }  // namespace
 
 int main(int count, char** words) {
-  const bool has_lines = count > 2 && std::string_view(words[2]) == "--lines";
-  for (int k = has_lines ? 3 : 2; k < count; ++k) {
+  for (int k = 3; k < count; ++k) {
     Json said;
     try {
-      said = written(words[1], words[k], has_lines);
+      said = written(words[1], words[k], words[2]);
     } catch (const std::exception& error) {
       said = {{"file", words[k]}, {"error", error.what()}};
     }

@@ -1,5 +1,6 @@
 """Whether WebAssembly writes what the program writes: records with all parts, and persistence, to the byte. Records of
-small inputs have polylines and skeletons, too, which are gigabytes for a scan.
+small inputs have polylines and skeletons, too, which are gigabytes for a scan. Inputs of more than 35,000 points have
+no records, and are compared by their persistence.
 
 usage: same_bytes.py FLOWCERT MODULES
 
@@ -23,6 +24,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 MOST_POINTS = 110_000
+MOST_WITH_RECORDS = 35_000
 MOST_BYTES_OF_MODULE = 800_000
 MOST_MEMORY = 300 << 20
 PARTS = ("delaunay", "critical", "s2", "u2", "limits", "volumes")
@@ -56,10 +58,11 @@ def write_inputs(folder):
     return small, large
 
 
-def native(program, file, out, lines):
+def native(program, file, out, what):
     """What the program says of a file, as flowcert_records does."""
     pairs = None
-    words = [*lines, "--manifolds", "u2,s2,all", "-o", f"{out / file.stem}.jsonl"]
+    words = ["--polylines", "--skeletons"] if what == "lines" else []
+    words += ["--manifolds", "u2,s2,all"] + (["-o", f"{out / file.stem}.jsonl"] if what != "pairs" else [])
     run = subprocess.run([program, "compute", file, "--threads", "1", "--json", *words], capture_output=True, text=True)
     if run.returncode == 0:
         words = ["--threads", "1", "-o", f"{out / file.stem}.pers"]
@@ -70,8 +73,8 @@ def native(program, file, out, lines):
     return {"seconds": json.loads(run.stdout)["seconds"]}
 
 
-def in_node(program, files, out, words):
-    said = subprocess.run(["node", program, out, *words, *files], check=True, capture_output=True, text=True).stdout
+def in_node(program, files, out, what):
+    said = subprocess.run(["node", program, out, what, *files], check=True, capture_output=True, text=True).stdout
     return [json.loads(line) for line in said.splitlines()]
 
 
@@ -81,14 +84,13 @@ def content(path):
     return re.sub(rb'("compiler":"|compiler: )[^";]*', b"", data, count=1)
 
 
-def compare(program, records, files, folder, has_lines):
+def compare(program, records, files, folder, what):
     """The first differences, how many bytes are equal, and what both say of each file."""
     differences, equal, said = [], 0, []
-    our_words, their_words = (["--polylines", "--skeletons"], ["--lines"]) if has_lines else ([], [])
     for name in ("native", "node"):
         (folder / name).mkdir(exist_ok=True)
-    for file, there in zip(files, in_node(records, files, folder / "node", their_words), strict=True):
-        here = native(program, file, folder / "native", our_words)
+    for file, there in zip(files, in_node(records, files, folder / "node", what), strict=True):
+        here = native(program, file, folder / "native", what)
         said.append((here, there))
         # The program says of which file it is, and the library does not.
         if here.get("error") not in (there.get("error"), f"{file}: {there.get('error')}"):
@@ -118,13 +120,14 @@ def main():
         folder = Path(name)
         small, large = write_inputs(folder)
         records = modules / "flowcert_records.js"
-        differences, equal, said = compare(program, records, small, folder, True)
+        differences, equal, said = compare(program, records, small, folder, "lines")
         refused = sum("error" in here for here, _ in said)
         print(f"same_bytes: {len(small)} inputs of the vectors, {refused} of them refused; {equal} bytes are the same")
         print(f"\n{'':16}" + "".join(f"{part:>10}" for part in (*PARTS, "all")) + "   times the program's, one thread")
         most = 0
         for file in large:  # each in a process of its own, for its memory
-            more, equal, [(here, there)] = compare(program, records, [file], folder, False)
+            what = "pairs" if len(file.read_text().splitlines()) > MOST_WITH_RECORDS else "records"
+            more, equal, [(here, there)] = compare(program, records, [file], folder, what)
             differences += more
             if "error" not in here and "error" not in there:
                 print(row(file, here, there) + f"{equal:12} bytes")
