@@ -1,7 +1,7 @@
 // What Node's tests compare with the program: all parts of the complex of each file, as records and as persistence.
 //
 // usage: flowcert_records FOLDER WHAT FILE…: writes FOLDER/NAME.jsonl and FOLDER/NAME.pers for each FILE, …/NAME.xyz,
-// and prints one JSON object: the seconds of each part and of writing, the bytes of memory so far, or what is wrong.
+// and prints one JSON object: the seconds of each part and of writing, the bytes of memory after it, or what is wrong.
 // WHAT: "lines", with polylines and skeletons, which are gigabytes for a scan; "records", without; "pairs", the second
 // file alone.
 #include <chrono>
@@ -36,10 +36,15 @@ double seconds_of(const auto& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+std::size_t bytes_of_memory() { return __builtin_wasm_memory_size(0) << 16; }
+
 Json written(const std::filesystem::path& folder, const std::string& file, std::string_view what) {
   const FlowComplex complex(PointSet(read_points(file).rows));
-  Json seconds;
-  for (const auto& [part, name] : kParts) seconds[name] = seconds_of([&] { complex.make(part); });
+  Json seconds, memory{{"read", bytes_of_memory()}};
+  for (const auto& [part, name] : kParts) {
+    seconds[name] = seconds_of([&] { complex.make(part); });
+    memory[name] = bytes_of_memory();
+  }
   const std::filesystem::path stem = folder / std::filesystem::path(file).stem();
   const bool has_lines = what == "lines";
   seconds["records"] = seconds_of([&] {
@@ -49,7 +54,8 @@ Json written(const std::filesystem::path& folder, const std::string& file, std::
                             {.u2 = true, .polylines = has_lines, .s2 = true, .skeletons = has_lines, .all = true});
   });
   std::ofstream(stem.string() + ".pers", std::ios::binary) << pers_text(PersistenceDiagram(complex, false));
-  return {{"file", file}, {"seconds", seconds}, {"memory", __builtin_wasm_memory_size(0) << 16}};
+  memory["written"] = bytes_of_memory();
+  return {{"file", file}, {"seconds", seconds}, {"memory", memory}};
 }
 
 }  // namespace

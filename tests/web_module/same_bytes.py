@@ -111,7 +111,7 @@ def row(file, here, there):
     total = sum(there["seconds"][part] for part in PARTS)
     ratio = total / sum(here["seconds"][part] for part in PARTS)
     cells = "".join(f"{value:10.1f}" for value in (*ratios, ratio))
-    return f"{file.stem:16}{cells}{total:9.1f} s{there['memory'] / 1e6:9.0f} MB"
+    return f"{file.stem:16}{cells}{total:9.1f} s{there['memory']['pairs'] / 1e6:9.0f} MB"
 
 
 def main():
@@ -131,7 +131,7 @@ def main():
             differences += more
             if "error" not in here and "error" not in there:
                 print(row(file, here, there) + f"{equal:12} bytes")
-                most = max(most, there["memory"])
+                most = max(most, there["memory"]["pairs"])
     size = len(gzip.compress((modules / "flowcert_module.wasm").read_bytes(), 9))
     print(f"\nsame_bytes: flowcert_module.wasm has {size} bytes, compressed; memory grew to {most} bytes at most")
     print("".join(f"{line}\n" for line in differences[:20]) + f"same_bytes: {len(differences)} outputs differ")
