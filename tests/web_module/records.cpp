@@ -22,13 +22,14 @@ namespace {
 using namespace flowcert;
 using Json = nlohmann::ordered_json;
 
+// What a picture needs, and then the rest.
 constexpr std::pair<FlowComplexPart, const char*> kParts[] = {{FlowComplexPart::kTriangulation, "delaunay"},
                                                               {FlowComplexPart::kStationary, "critical"},
                                                               {FlowComplexPart::kStable, "s2"},
                                                               {FlowComplexPart::kUnstable, "u2"},
+                                                              {FlowComplexPart::kPersistence, "pairs"},
                                                               {FlowComplexPart::kLimits, "limits"},
-                                                              {FlowComplexPart::kVolumes, "volumes"},
-                                                              {FlowComplexPart::kPersistence, "pairs"}};
+                                                              {FlowComplexPart::kVolumes, "volumes"}};
 
 double seconds_of(const auto& work) {
   const auto start = std::chrono::steady_clock::now();

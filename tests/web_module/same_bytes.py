@@ -9,8 +9,8 @@ lattice of 1,000 points, and the files *.xyz up to 110,000 points in FLOWCERT_BE
 refused with the same sentence. Only the compiler differs, which the header of an output names.
 
 Of the larger inputs, the last lines say how much longer WebAssembly takes than the program with one thread, and how
-much memory it has. Exit status 1 where a byte differs, flowcert_module.wasm is larger than 800 KB, compressed, or an
-input takes more than 300 MB.
+much memory it has: with all parts that a picture has, and with the limits of all directions, too. Exit status 1 where
+a byte differs, flowcert_module.wasm is larger than 800 KB, compressed, or a picture takes more than 300 MB.
 """
 
 import gzip
@@ -111,7 +111,8 @@ def row(file, here, there):
     total = sum(there["seconds"][part] for part in PARTS)
     ratio = total / sum(here["seconds"][part] for part in PARTS)
     cells = "".join(f"{value:10.1f}" for value in (*ratios, ratio))
-    return f"{file.stem:16}{cells}{total:9.1f} s{there['memory']['pairs'] / 1e6:9.0f} MB"
+    memory = "".join(f"{there['memory'][part] / 1e6:9.0f} MB" for part in ("pairs", "volumes"))
+    return f"{file.stem:16}{cells}{total:9.1f} s{memory}"
 
 
 def main():
