@@ -136,7 +136,7 @@ def test_progress_is_told_and_can_be_cancelled(page):
     page.compute(page.file("square.xyz", inputs.TEXTS["square"]))
     assert page.told().startswith("square.xyz: 4 points")
     known = {"reading", "Delaunay triangulation", "critical points", "unstable manifolds", "stable manifolds",
-             "chain complex", "links of saddles", "persistence", "page"}
+             "chain complex", "links of saddles", "persistence", "limits of all directions", "merge trees", "page"}
     assert {part for part, _, _ in page.browser.run("return parts")} <= known
 
 
@@ -156,7 +156,7 @@ def test_examples(page, name):
         if name == "cage.xyz":
             assert page.browser.find("[data-chamber] td").text == "5.397020"
         if name == "cube.xyz":
-            assert page.browser.ask("counts")["regular"] == 4
+            assert page.browser.ask("counts")["by_kind"] == [9, 13, 6, 1, 4]
 
 
 def test_molecules_have_radii(page):
