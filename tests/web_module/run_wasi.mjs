@@ -7,7 +7,7 @@ const module = await WebAssembly.compile(await readFile(process.argv[2]));
 const imports = wasi.getImportObject();
 for (const { module: from, name } of WebAssembly.Module.imports(module)) {
   imports[from] ??= {};
-  // emscripten's own, such as the news that memory grew
+  // emscripten's own, such as the news that memory grew, and setjmp, which returns 0
   imports[from][name] ??= () => 0;
 }
 process.exit(wasi.start(await WebAssembly.instantiate(module, imports)));
