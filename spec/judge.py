@@ -23,7 +23,7 @@ from read_claim import require, roots_differ_by, rounds_alike
 
 sys.set_int_max_str_digits(0)
 HERE = Path(__file__).parent
-VERSION = "1.1"  # of the specification
+VERSION = "1.2"  # of the specification
 TINY = Fraction(1, 2**44)  # what rounding explains (FC-CLAIM-05)
 LARGEST_STATED = 1e-6  # the greatest tolerance with which decimals are said to conform (FC-CLAIM-23)
 CONFORMS, DETERMINED, PERTURBED, FAILS = "conforms", "conforms where determined", "perturbed", "fails"

@@ -180,7 +180,7 @@ TEST(CyclesCommand, ChecksLinesOfOthers) {
   const std::string right = scratch.file("right.txt", "cycles 1 all\npair 1.0 2.0\nloop 3 2 1 0\n");
   const Finished conforms = flowcert({"check", square, right});
   EXPECT_EQ(conforms.status, 0);
-  EXPECT_NE(conforms.out.find("conforms to 1.1, cycles, approximate within 1e-09"), std::string::npos);
+  EXPECT_NE(conforms.out.find("conforms to 1.2, cycles, approximate within 1e-09"), std::string::npos);
   const std::string wrong = scratch.file("wrong.txt", "cycles 1\npair 0,1/0,1,2,3\nloop 0 1 2\n");
   const std::string junit = scratch.path("junit.xml");
   const Finished fails = flowcert({"check", square, wrong, "--junit", junit});

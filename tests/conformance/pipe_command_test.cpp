@@ -32,7 +32,7 @@ TEST(Verify, RightAnswersOfEveryFamilyConform) {
     EXPECT_EQ(report["verdict"], "conforms");
     EXPECT_EQ(report["cases"], 500);
     const bool is_decimal = std::string(form) == "decimals";
-    EXPECT_EQ(report["profile"]["statement"], std::string("conforms to 1.1, points, ") +
+    EXPECT_EQ(report["profile"]["statement"], std::string("conforms to 1.2, points, ") +
                                                   (is_decimal ? "approximate within 1e-09" : "exact") +
                                                   " (500 drawn inputs)");
     EXPECT_EQ(report["failures"], json::array());
@@ -527,7 +527,7 @@ TEST(Verify, StatesDecimalsWithASmallToleranceAlone) {
   const Words run = {"--family", "general-position", "--cases", "20"};
   const Pipe decimals(run, {"decimals"});
   EXPECT_EQ(decimals.as_json({"--tolerance", "1e-6"})["profile"]["statement"],
-            "conforms to 1.1, points, approximate within 1e-06 (20 drawn inputs)");
+            "conforms to 1.2, points, approximate within 1e-06 (20 drawn inputs)");
   const std::string path = decimals.scratch().path("report.xml");
   const Finished text = decimals.verify({"--tolerance", "1e-5", "--junit", path});
   EXPECT_EQ(text.status, 0);
@@ -539,7 +539,7 @@ TEST(Verify, StatesDecimalsWithASmallToleranceAlone) {
   EXPECT_TRUE(none["profile"]["statement"].is_null()) << none["profile"];
   EXPECT_EQ(none["verdict"], "conforms");
   EXPECT_EQ(Pipe(run, {"csv"}).as_json({"--tolerance", "1e-5"})["profile"]["statement"],
-            "conforms to 1.1, points, exact (20 drawn inputs)");
+            "conforms to 1.2, points, exact (20 drawn inputs)");
 }
 
 // ---- The README ----

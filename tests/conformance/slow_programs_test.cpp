@@ -22,7 +22,7 @@ TEST(Verify, CasesOfMorePointsAreNotAsked) {
   EXPECT_EQ(report["cases"], asked);
   EXPECT_EQ(report["run"], "flowcert generate --level 1 --seed 7 --cases 60 --most-points 5");
   EXPECT_EQ(report["profile"]["statement"],
-            "conforms to 1.1, points, exact (" + std::to_string(asked) + " drawn inputs of at most 5 points)");
+            "conforms to 1.2, points, exact (" + std::to_string(asked) + " drawn inputs of at most 5 points)");
   // The answers say so as well, and the file of generate.
   EXPECT_TRUE(contains(pipe.verify_text(pipe.answers()).out,
                        "\nright in what came: " + std::to_string(asked) + " cases; truth by"));

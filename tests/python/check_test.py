@@ -72,13 +72,13 @@ def test_reports_are_those_of_the_program(options, xyz, tmp_path):
 def test_statements_of_decimals_name_the_tolerance():
     points, claim = [[0, 0, 0], [2, 0, 0]], [{"index": 0, "contact": [0]}, {"index": 0, "contact": [1]}]
     near, exact = [*claim, {"index": 1, "position": [1.0, 0, 0]}], [*claim, {"index": 1, "position": [1, 0, 0]}]
-    assert flowcert.check(points, near).statement == "conforms to 1.1, points, approximate within 1e-09"
-    assert flowcert.check(points, near, tolerance=1e-6).statement == "conforms to 1.1, points, approximate within 1e-06"
+    assert flowcert.check(points, near).statement == "conforms to 1.2, points, approximate within 1e-09"
+    assert flowcert.check(points, near, tolerance=1e-6).statement == "conforms to 1.2, points, approximate within 1e-06"
     for tolerance in (1.0000000000000002e-6, 1e-3):
         report = flowcert.check(points, near, tolerance=tolerance)
         assert report.verdict == "conforms" and report.statement is None
-    assert flowcert.check(points, exact, tolerance=1e-3).statement == "conforms to 1.1, points, exact"
-    assert flowcert.check(points, claim, tolerance=1e-3).statement == "does not conform to 1.1"
+    assert flowcert.check(points, exact, tolerance=1e-3).statement == "conforms to 1.2, points, exact"
+    assert flowcert.check(points, claim, tolerance=1e-3).statement == "does not conform to 1.2"
 
 
 def test_files_open_files_and_their_content(xyz, tmp_path):

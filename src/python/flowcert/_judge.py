@@ -68,7 +68,7 @@ class CheckReport:
                     points makes), or "fails"
     is_exact        False if decimals were claimed, which are matched within the tolerance
     parts           what the claim tells of the flow complex and was judged on, such as ("points", "U2")
-    statement       "conforms to 1.1, points + U2, exact" (FC-CLAIM-22), or of decimals "approximate within 1e-09";
+    statement       "conforms to 1.2, points + U2, exact" (FC-CLAIM-22), or of decimals "approximate within 1e-09";
                     None if no part is told, or if decimals were judged with a tolerance above 1e-6
     claimed_counts  of critical points of index 0 to 3, as listed in the claim
     true_counts     as they are; zeros if only level 1 was checked
