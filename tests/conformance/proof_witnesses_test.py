@@ -254,7 +254,7 @@ class WitnessTest(proof_py_test.ProofTest):
         kept = ("version", "commit", "kernel", "compiler", "cgal", "input_sha256", "points", "merged_duplicates",
                 "critical", "regular_stationary")
         header = {"format": "flowcert-persistence", "format_version": 1, **{key: head[key] for key in kept},
-                  "seconds": {"delaunay": [0.5, {"all": None}]}, "has_zero": False}
+                  "counts": {"positive": [0.5, {"zero": None}]}, "has_zero": False}
         first, count = pairs[0], len(pairs)
 
         def forged(end="birth", **fields):
