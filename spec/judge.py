@@ -975,7 +975,8 @@ def main():
         keep = ("outcome", "message", "findings", "undecided", "orbits")
         told = [{"id": key, **{name: one[name] for name in keep}, "judged": sorted(one["judged"])}
                 for key, one in outcomes.items()]
-        print(json.dumps({"cases": told, "statement": statement_of_all(outcomes, options, options.tolerance),
+        print(json.dumps({"format": "flowcert-judge", "format_version": 1, "cases": told,
+                          "statement": statement_of_all(outcomes, options, options.tolerance),
                           "own_seconds": resource.getrusage(resource.RUSAGE_SELF).ru_utime}))
     else:
         print_report(cases, flags, outcomes, options)

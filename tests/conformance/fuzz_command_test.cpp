@@ -58,6 +58,8 @@ TEST(FuzzCommand, HoldsAllPropertiesOnASmallCampaign) {
   const Scratch scratch;
   const json report =
       campaign({"--count", "600", "--seed", "5", "--points", "0-7", "--jobs", "2", "--out", scratch.path("campaign")});
+  EXPECT_EQ(report.at("format"), "flowcert-fuzz-report");
+  EXPECT_EQ(report.at("format_version"), 1);
   EXPECT_EQ(report.at("cases"), 600);
   EXPECT_EQ(report.at("failing_cases"), 0);
   EXPECT_GE(report.at("signatures"), 100);
@@ -293,7 +295,10 @@ TEST(FuzzCommand, DoesOneCaseAgain) {
   EXPECT_EQ(merged.status, 1) << merged.err;
   const Finished right = flowcert({"fuzz", "--case", "7", "--property", "critical-points", "--json"});
   EXPECT_EQ(right.status, 0) << right.err;
-  EXPECT_EQ(json::parse(right.out), json::array());
+  const json case_report = json::parse(right.out);
+  EXPECT_EQ(case_report.at("format"), "flowcert-fuzz-case");
+  EXPECT_EQ(case_report.at("case"), 7);
+  EXPECT_EQ(case_report.at("findings"), json::array());
 }
 
 // Whether a process has these words in its command line.

@@ -1161,6 +1161,8 @@ class Runs(unittest.TestCase):
             status, text = self.run_judge(*case, command)
             self.assertEqual(json.loads(text)["cases"][0]["outcome"], outcome, command)
             self.assertEqual(status, outcome != "properly refused")
+        told = json.loads(self.run_judge(*case, "exit 1")[1])
+        self.assertEqual((told["format"], told["format_version"]), ("flowcert-judge", 1))
         status, text = self.run_judge("--case", "critical-points-0002", "--against", "echo because >&2; exit 3")
         self.assertIn("critical-points-0002 (an acute triangle): refused: exit status 3: because\n", text)
 

@@ -35,6 +35,10 @@ TEST(MedialCommand, ChoosesByAngleAndPersistence) {
     const Finished done = flowcert(options);
     EXPECT_EQ(done.status, 0) << done.err;
     const ordered_json json = ordered_json::parse(done.out);
+    for (const char* key : {"persistence", "radius", "angle"}) {
+      const auto given = std::ranges::find(options, std::string("--") + key);
+      EXPECT_EQ(json.at(key), given == options.end() ? ordered_json() : ordered_json(*std::next(given)));
+    }
     return std::pair(count_of(json, 1), count_of(json, 2));
   };
   using Counts = std::pair<std::size_t, std::size_t>;
