@@ -311,7 +311,7 @@ TEST(CheckCommand, NamesWhatIsMissing) {
     const json record = json::parse(line);
     if (record.contains("kind") && record["index"] != 0) expected.push_back(record["contact"]);
   }
-  const json report = missing.as_json({"--levels", "3"});
+  const json report = missing.as_json({"--highest-level", "3"});
   EXPECT_EQ(levels(report), json({true, true, false, nullptr, nullptr}));
   std::vector<std::vector<int>> named;
   for (const json& finding : report["findings"]) {
@@ -322,7 +322,7 @@ TEST(CheckCommand, NamesWhatIsMissing) {
   std::sort(expected.begin(), expected.end());
   std::sort(named.begin(), named.end());
   EXPECT_EQ(named, expected);
-  const Finished text = missing.run({"--levels", "3", "--most", "1"});
+  const Finished text = missing.run({"--highest-level", "3", "--most", "1"});
   EXPECT_EQ(text.status, 1);
   EXPECT_NE(text.out.find("(of each level, 1 more at most are shown)"), std::string::npos) << text.out;
   EXPECT_NE(text.out.find("\nfails ("), std::string::npos) << text.out;
@@ -424,7 +424,7 @@ TEST(CheckCommand, SaysInWhichProfileAClaimConforms) {
   EXPECT_EQ(lines[lines.size() - 2], "conforms to 1.2, points + U2, exact");
   EXPECT_EQ(limits.as_json()["profile"], json::parse(R"({"specification": "1.2", "parts": ["points", "U2"],
       "grade": "exact", "statement": "conforms to 1.2, points + U2, exact"})"));
-  const json shallow = limits.as_json({"--levels", "2"})["profile"];
+  const json shallow = limits.as_json({"--highest-level", "2"})["profile"];
   EXPECT_EQ(shallow["parts"], json::array());
   EXPECT_TRUE(shallow["statement"].is_null());
   const Checked wrong(kCube, std::string("index,x,y,z\n0,0,0,0\n"));
@@ -497,7 +497,7 @@ TEST(CheckCommand, RefusesWhatItCannotUse) {
   refuses({"check", own.points(), own.scratch().file("marks", mark + mark + row)}, "marks:1");
   refuses({"check", own.points(), own.claim(), "--tolerance", "1"}, "--tolerance");
   refuses({"check", own.points(), own.claim(), "--tolerance", "nan"}, "--tolerance");
-  refuses({"check", own.points(), own.claim(), "--levels", "6"}, "--levels");
+  refuses({"check", own.points(), own.claim(), "--highest-level", "6"}, "--highest-level");
   refuses({"check", own.points(), own.claim(), "--junit", none + "/report.xml"}, none);
   const Checked large(lattice_points(4, 101, 50), Words{});
   refuses({"check", large.points(), large.claim(), "--oracle"}, "--oracle: 101 points");

@@ -196,7 +196,7 @@ TEST(CyclesCommand, ChecksLinesOfOthers) {
   EXPECT_EQ(json["cycles"][1],
             nlohmann::json({{"dimension", 1}, {"claimed", 1}, {"true", 1}, {"wrong", 1}, {"missing", 0}}));
   EXPECT_EQ(json["findings"][0]["reason"], "edge-too-long");
-  for (const Words& words : {Words{"--oracle"}, Words{"--levels", "2"}}) {
+  for (const Words& words : {Words{"--oracle"}, Words{"--highest-level", "2"}}) {
     Words check{"check", square, right};
     check.insert(check.end(), words.begin(), words.end());
     EXPECT_EQ(flowcert(check).status, 2);

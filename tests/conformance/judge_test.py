@@ -38,8 +38,8 @@ HEADER = '{"format": "flowcert-stationary-points", "format_version": 1}'
 TRIANGLE = CASES["critical-points-0002"]  # 0 0 0, 4 0 0, 1 3 0
 
 
-def judged(case, data, tolerance=1e-9, levels=4):
-    options = SimpleNamespace(tolerance=tolerance, levels=levels)
+def judged(case, data, tolerance=1e-9, highest_level=4):
+    options = SimpleNamespace(tolerance=tolerance, highest_level=highest_level)
     return judge.judge_bytes(case, data if isinstance(data, bytes) else data.encode(), options)
 
 
@@ -403,7 +403,7 @@ class Verdicts(unittest.TestCase):
         asked = [one for one in judgements if "answers" not in one and one.get("levels", 4) < 5]
         self.assertGreater(len(asked), 100)
         for one in asked:
-            result = judged(CASES[one["case"]], text_of(*one["claim"]), levels=one.get("levels", 4))
+            result = judged(CASES[one["case"]], text_of(*one["claim"]), highest_level=one.get("levels", 4))
             owed = one["verdict"], judgements_test.sorted_findings(one["findings"])
             self.assertEqual((result["outcome"], judgements_test.sorted_findings(result["findings"])), owed, one["id"])
             if "statement" in one:
@@ -576,7 +576,7 @@ class Verdicts(unittest.TestCase):
             parts = judged(case, text_of(HEADER, *some))["profile"]["parts"]
             self.assertEqual(parts, {"points": True, "U2": told[0], "S2": told[1], "orbits": None}, key)
         for levels, said in [(1, None), (2, None), (3, "conforms to 1.2, points, exact")]:
-            result = judged(TRIANGLE, text_of(HEADER, *records), levels=levels)
+            result = judged(TRIANGLE, text_of(HEADER, *records), highest_level=levels)
             self.assertEqual(judge.statement(result["outcome"], [result["profile"]], 1e-9), said)
             self.assertEqual(result["judged"], set(range(1, levels + 1)))
 
@@ -1175,10 +1175,10 @@ class Runs(unittest.TestCase):
         self.assertEqual(status, 0)
         self.assertTrue(text.endswith("no statement: the tolerance 0.001 is above 1e-06 (FC-CLAIM-23)\n"), text)
         status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim, "--tolerance", "1e-3",
-                                      "--levels", 2)
+                                      "--highest-level", 2)
         self.assertNotIn("statement", text)
         status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim, "--tolerance", "1e-6",
-                                      "--levels", 4)
+                                      "--highest-level", 4)
         self.assertIn("approximate within 1e-06 (1 of ", text)
         self.assertEqual(signal.getsignal(signal.SIGPIPE), signal.SIG_DFL)
         status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim, "--tolerance", "0")
@@ -1203,13 +1203,13 @@ class Runs(unittest.TestCase):
         options = judge.parser_of_options().parse_args([])
         self.assertEqual(vars(options), {
             "against": None, "orbits_against": None, "claim": None, "vectors": str(judge.HERE / "vectors"), "group": [],
-            "flag": [], "case": [], "tolerance": 1e-9, "levels": 4, "time_limit": 10, "most": 10, "hex": False,
+            "flag": [], "case": [], "tolerance": 1e-9, "highest_level": 4, "time_limit": 10, "most": 10, "hex": False,
             "json": False})
 
     def test_what_cannot_be_used(self):
         self.claim.write_text("\n".join(Text.RIGHT))
         for words in [[], ["--against", "true", "--claim", self.claim], ["--against", "true", "--tolerance", "0.0011"],
-                      ["--against", "true", "--tolerance", "-1"], ["--against", "true", "--levels", "5"],
+                      ["--against", "true", "--tolerance", "-1"], ["--against", "true", "--highest-level", "5"],
                       ["--claim", self.claim],
                       ["--group", "none", "--against", "true"],
                       ["--case", "invalid-input-0001", "--claim", self.claim], ["--against", "no-such-program"],

@@ -89,7 +89,7 @@ TEST(Verify, TakesGiesenKuehneAndHexadecimalInput) {
   const Words run = {"--family", "general-position", "--family", "mixed-magnitudes", "--cases", "60"};
   EXPECT_EQ(Pipe(joined(run, {"--hex"})).as_json()["verdict"], "conforms");
   const Pipe pipe({"--family", "general-position", "--cases", "60"}, {"giesen-kuehne"});
-  EXPECT_EQ(pipe.as_json({"--levels", "3"})["verdict"], "conforms");
+  EXPECT_EQ(pipe.as_json({"--highest-level", "3"})["verdict"], "conforms");
   EXPECT_EQ(pipe.as_json()["verdict"], "fails") << "that format claims incidences, and they are left out";
 }
 
