@@ -37,7 +37,7 @@ TEST(Verify, CasesOfMorePointsAreNotAsked) {
   }
   std::size_t large = 0;
   while (lines_of(cases_of(generated(run)).at(large)).size() <= 6) ++large;
-  const Finished only = pipe.verify({"--only", std::to_string(large)});
+  const Finished only = pipe.verify({"--case", std::to_string(large)});
   EXPECT_EQ(only.status, 2);
   EXPECT_TRUE(contains(only.err, "has more points than --most-points says")) << only.err;
 }

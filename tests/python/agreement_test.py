@@ -236,7 +236,7 @@ def test_any_number_is_a_coordinate_of_a_start():
 @pytest.mark.parametrize("family", flowcert.families())
 def test_generate(family, level, tmp_path):
     points = flowcert.generate(family, 7, level=level, case=3)
-    words = ["--family", family, "--seed", "7", "--level", level, "--only", "3", "--hex", "--xyz"]
+    words = ["--family", family, "--seed", "7", "--level", level, "--case", "3", "--hex", "--xyz"]
     path = tmp_path / "case.xyz"
     path.write_text(flowcert_says("generate", *words))
     expected = flowcert.read_points(path)
