@@ -343,7 +343,7 @@ class FuzzCommandEndings : public testing::TestWithParam<std::pair<const char*, 
 TEST_P(FuzzCommandEndings, AreFindings) {
   const Scratch scratch;
   const auto& [how, kind] = GetParam();
-  const json report = campaign({"--count", "12", "--against", peer(how), "--points", "5-7", "--search", "0",
+  const json report = campaign({"--count", "12", "--against", peer(how), "--points", "5-7", "--mutants", "0",
                                 "--time-limit", "0.3", "--out", scratch.path("campaign")},
                                1);
   bool is_found = false;
@@ -373,7 +373,7 @@ TEST(FuzzCommand, BeginsWithACorpus) {
   const Scratch scratch;
   fs::create_directory(scratch.path("corpus"));
   (void)scratch.file("corpus/square.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n");
-  const json with = campaign({"--count", "50", "--corpus", scratch.path("corpus"), "--search", "100"});
+  const json with = campaign({"--count", "50", "--corpus", scratch.path("corpus"), "--mutants", "100"});
   EXPECT_EQ(with.at("by_family").at("mutant"), 50);
   (void)scratch.file("corpus/bad.xyz", "0 0\n");
   const Finished bad = flowcert({"fuzz", "--count", "50", "--corpus", scratch.path("corpus")});
