@@ -120,7 +120,8 @@ TEST(CheckPores, RefusesWhatItCannotJudge) {
             std::string::npos);
   EXPECT_NE(refusal({"check", kCage, claim, "--radii", "bondi", "--oracle"}).find("judges no pores"),
             std::string::npos);
-  EXPECT_NE(refusal({"check", kCage, claim, "--radii", "bondi", "--highest-level", "2"}).find("--highest-level"), std::string::npos);
+  EXPECT_NE(refusal({"check", kCage, claim, "--radii", "bondi", "--highest-level", "2"}).find("--highest-level"),
+            std::string::npos);
   EXPECT_EQ(refusal({"check", kCage, cut, "--radii", "bondi"}).find("flowcert: " + cut + ":2: not a kind"), 0U);
 }
 
