@@ -23,7 +23,7 @@ from read_claim import require, roots_differ_by, rounds_alike
 
 sys.set_int_max_str_digits(0)
 HERE = Path(__file__).parent
-VERSION = "1.1"  # of the specification
+VERSION = "1.2"  # of the specification
 TINY = Fraction(1, 2**44)  # what rounding explains (FC-CLAIM-05)
 LARGEST_STATED = 1e-6  # the greatest tolerance with which decimals are said to conform (FC-CLAIM-23)
 CONFORMS, DETERMINED, PERTURBED, FAILS = "conforms", "conforms where determined", "perturbed", "fails"
@@ -824,10 +824,10 @@ def judge_bytes(case, data, options):
         claim = read_claim(data, len(truth.rows))
     except Unreadable as error:
         return {**BLANK, "outcome": "unreadable", "message": str(error)}
-    judge = Judge(truth, claim, options.tolerance, options.levels)
+    judge = Judge(truth, claim, options.tolerance, options.highest_level)
     verdict = judge.run()
     return {**BLANK, "outcome": verdict, "findings": judge.findings, "judged": judge.judged,
-            "undecided": judge.undecided, "profile": profile_of(claim, options.levels)}
+            "undecided": judge.undecided, "profile": profile_of(claim, options.highest_level)}
 
 
 BLANK = {"message": "", "findings": [], "judged": set(), "undecided": False, "profile": None, "orbits": []}
@@ -889,7 +889,7 @@ def print_report(cases, flags, outcomes, options):
             print(f"  {name + ':':30} {', '.join(told)}")
     counts = Counter(outcome["outcome"] for outcome in outcomes.values())
     levels = Counter(level for outcome in outcomes.values() for level in outcome["judged"])
-    print("\njudged: " + ", ".join(f"{levels[k]} claims on level {k}" for k in range(1, options.levels + 1)))
+    print("\njudged: " + ", ".join(f"{levels[k]} claims on level {k}" for k in range(1, options.highest_level + 1)))
     for number_of, what in [(sum(len(one["orbits"]) for one in outcomes.values()), "judged: {} orbits"),
                             (counts["skipped"], "skipped: {} cases"),
                             (sum(one["undecided"] for one in outcomes.values()), "not decided: {} cases")]:
@@ -941,7 +941,8 @@ def parser_of_options():
     for name in ("--group", "--flag", "--case"):
         parser.add_argument(name, action="append", default=[], help="only such cases; may be given several times")
     parser.add_argument("--tolerance", type=float, default=1e-9, help="of decimals (FC-CLAIM-23)")
-    parser.add_argument("--levels", type=int, choices=[1, 2, 3, 4], default=4, help="judge levels 1 to this one")
+    parser.add_argument("--highest-level", type=int, choices=[1, 2, 3, 4], default=4,
+                        help="judge levels 1 to this one")
     parser.add_argument("--time-limit", type=float, default=10, help="seconds after which a run is killed")
     parser.add_argument("--most", type=int, default=10, help="show so many negative cases")
     parser.add_argument("--hex", action="store_true", help="points as hexadecimal floats, not as shortest decimals")
@@ -975,7 +976,8 @@ def main():
         keep = ("outcome", "message", "findings", "undecided", "orbits")
         told = [{"id": key, **{name: one[name] for name in keep}, "judged": sorted(one["judged"])}
                 for key, one in outcomes.items()]
-        print(json.dumps({"cases": told, "statement": statement_of_all(outcomes, options, options.tolerance),
+        print(json.dumps({"format": "flowcert-judge", "format_version": 1, "cases": told,
+                          "statement": statement_of_all(outcomes, options, options.tolerance),
                           "own_seconds": resource.getrusage(resource.RUSAGE_SELF).ru_utime}))
     else:
         print_report(cases, flags, outcomes, options)

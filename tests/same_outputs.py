@@ -32,6 +32,7 @@ from same_runs import Run
 
 HEADER = (
     rb'"version":"[^"]*","commit":"[^"]*","kernel":"[^"]*","compiler":"[^"]*","cgal":"[^"]*"',
+    rb'"(?:version|commit|kernel|compiler|cgal)": "[^"]*"',
     rb"flowcert [0-9.]+ \(commit (?:[^\n]*?; CGAL )?[^)]*\)",  # a compiler's version may have parentheses
     # A page carries its program, which ./dev web tests; its data are compared.
     rb"SHA-256 of its sources: [0-9a-f]{64}",

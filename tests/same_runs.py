@@ -81,7 +81,7 @@ def runs_on(name, source, is_small, points=b""):
         yield Run(name, "flowcert", tuple(words), points)
     if is_small:
         files = (("positions.xyz", POSITIONS),)
-        yield Run(name, "flowcert", ("locate", source, "--points", "positions.xyz", "--json"), points, files)
+        yield Run(name, "flowcert", ("locate", source, "--positions", "positions.xyz", "--json"), points, files)
 
 
 def generated(program, count):

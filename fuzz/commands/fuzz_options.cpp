@@ -255,7 +255,7 @@ void add_case_options(CLI::App& command, FuzzOptions& options) {
   command.add_option("--points", options.points, "So many points, LEAST-MOST; mostly 4 to 8 of up to 12")
       ->check(complaint_about_row_range);
   command
-      .add_option("--search", options.searched_percent,
+      .add_option("--mutants", options.searched_percent,
                   "Percentage of the cases that are mutants of inputs which showed something new")
       ->check(CLI::Range(0, 100))
       ->capture_default_str();
@@ -337,7 +337,7 @@ void add_run_options(CLI::App& command, FuzzOptions& options) {
               "says it again")
           ->excludes(out);
   // The campaign's folder says all of this.
-  for (const char* name : {"--families", "--points", "--search", "--corpus", "--seed", "--property", "--ignore",
+  for (const char* name : {"--families", "--points", "--mutants", "--corpus", "--seed", "--property", "--ignore",
                            "--shard", "--time-limit", "--memory-limit"}) {
     resume->excludes(command.get_option(name));
   }

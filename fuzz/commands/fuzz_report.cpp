@@ -19,6 +19,7 @@
 #include "cli/table.h"
 #include "cli/wrapped_text.h"
 #include "fuzz/commands/fuzz_options.h"
+#include "io/json_fields.h"
 
 namespace flowcert::commands {
 
@@ -314,21 +315,22 @@ void print_fuzz_json(const FuzzRun& run) {
   ordered_json counterexamples = ordered_json::array();
   for (const auto& [key, counterexample] : campaign.counterexamples())
     counterexamples.push_back(counterexample_json(campaign, counterexample, unless_small(run)));
-  ordered_json report = {{"cases", tally.cases},
-                         {"seed", campaign.plan().seed},
-                         {"shard", {campaign.plan().shard.index + 1, campaign.plan().shard.count}},
-                         {"interrupted", run.is_interrupted},
-                         {"signatures", campaign.signatures().size()},
-                         {"failing_cases", campaign.failing_cases()},
-                         {"failures", failures},
-                         {"failing", failing},
-                         {"by_property", tally.by_property},
-                         {"by_family", tally.by_source},
-                         {"by_mutation", tally.by_mutation},
-                         {"by_points", rows},
-                         {"reached", reached_json(tally)},
-                         {"findings", counterexamples},
-                         {"kinds", kinds_json(run)}};
+  ordered_json report = io::header_fields("flowcert-fuzz-report", 1);
+  report.update({{"cases", tally.cases},
+                 {"seed", campaign.plan().seed},
+                 {"shard", {campaign.plan().shard.index + 1, campaign.plan().shard.count}},
+                 {"interrupted", run.is_interrupted},
+                 {"signatures", campaign.signatures().size()},
+                 {"failing_cases", campaign.failing_cases()},
+                 {"failures", failures},
+                 {"failing", failing},
+                 {"by_property", tally.by_property},
+                 {"by_family", tally.by_source},
+                 {"by_mutation", tally.by_mutation},
+                 {"by_points", rows},
+                 {"reached", reached_json(tally)},
+                 {"findings", counterexamples},
+                 {"kinds", kinds_json(run)}});
   if (!run.known.is_empty()) report["explained"] = run.known.explained_of(campaign);
   if (!campaign.plan().ignored.empty()) report["ignored"] = campaign.plan().ignored;
   if (run.seconds) {
@@ -375,16 +377,22 @@ void print_fuzz(const FuzzRun& run, bool json) {
 
 int print_case(const fuzz::Campaign& campaign, const fuzz::OneCase& one, bool json) {
   const bool holds = one.counterexamples().empty();
-  ordered_json report = ordered_json::array();
+  ordered_json findings = ordered_json::array();
   if (!json) fmt::print("case {} of seed {}{}\n", one.number(), campaign.plan().seed, holds ? ": holds" : "");
   for (const auto& [kind, counterexample] : one.counterexamples()) {
     if (json) {
-      report.push_back(counterexample_json(campaign, counterexample, kEndedBefore));
+      findings.push_back(counterexample_json(campaign, counterexample, kEndedBefore));
     } else {
       print_finding(campaign, counterexample, kEndedBefore);
     }
   }
-  if (json) print_report_json(report, 2);
+  if (json) {
+    ordered_json report = io::header_fields("flowcert-fuzz-case", 1);
+    report["case"] = one.number();
+    report["seed"] = campaign.plan().seed;
+    report["findings"] = findings;
+    print_report_json(report, 2);
+  }
   return holds ? kRight : kNegativeVerdict;
 }
 

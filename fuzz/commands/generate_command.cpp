@@ -74,12 +74,12 @@ std::string point_file(const std::vector<Point>& rows, NumberForm form) {
 
 void generate_one(const AskedCases& cases, std::size_t number, const GenerateOptions& options, NumberForm form) {
   if (number >= cases.size()) {
-    throw InvalidInput(fmt::format("--only: the run has {}, 0 to {}", counted(cases.size(), "case"), cases.size() - 1));
+    throw InvalidInput(fmt::format("--case: the run has {}, 0 to {}", counted(cases.size(), "case"), cases.size() - 1));
   }
   const AskedCase one = cases.numbered(number);
   if (!cases.asks(one)) {
     throw InvalidInput(
-        fmt::format("--only: case {} has {}, more than --most-points says", number, points_text(one.rows.size())));
+        fmt::format("--case: case {} has {}, more than --most-points says", number, points_text(one.rows.size())));
   }
   if (options.is_xyz) return put(point_file(one.rows, form));
   const std::string id = cases.id(one);
@@ -118,15 +118,14 @@ void add_generate_command(CLI::App& app, int& status) {
   auto options = std::make_shared<GenerateOptions>();
   CLI::App* command = app.add_subcommand("generate", cli::kGeneratePurpose);
   add_run_options(*command, options->run);
-  auto* only = command->add_option("--only", options->only, "This case of the run alone, by its number, from 0")
+  auto* only = command->add_option("--case", options->only, "This case of the run alone, by its number, from 0")
                    ->check(CLI::NonNegativeNumber);
   command->add_flag("--hex", options->hexadecimal, "Print hexadecimal floats, not decimals");
-  command->add_flag("--xyz", options->is_xyz, "Print the points of the case of --only alone, as a point file")
-      ->needs(only);
+  command->add_flag("--xyz", options->is_xyz, "Print the points of that case alone, as a point file")->needs(only);
   command->footer(
       "Examples:\n  flowcert generate --seed 7 | ./your-program | flowcert verify --seed 7\n"
-      "  flowcert generate --level 1 --seed 7 --only 12\n"
-      "  flowcert generate --level 1 --seed 7 --only 12 --xyz | flowcert compute -\n"
+      "  flowcert generate --level 1 --seed 7 --case 12\n"
+      "  flowcert generate --level 1 --seed 7 --case 12 --xyz | flowcert compute -\n"
       "  flowcert generate --vectors | ./your-program | flowcert verify --vectors\n"
       "  flowcert generate --level 1 --most-points 6 | ./your-program \\\n"
       "    | flowcert verify --level 1 --most-points 6");

@@ -23,7 +23,7 @@ void require_radii(bool is_of_pores, bool has_radii) {
 
 void refuse_levels(const CheckOptions& options, const char* kind) {
   if (options.highest_level == kLevels && options.indices == CheckOptions{}.indices) return;
-  throw InvalidInput(fmt::format("--levels and --indices are for flow complexes, and the claim is {}", kind));
+  throw InvalidInput(fmt::format("--highest-level and --indices are for flow complexes, and the claim is {}", kind));
 }
 
 }  // namespace flowcert::certify

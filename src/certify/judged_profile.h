@@ -19,7 +19,7 @@ struct JudgedProfile {
   std::string note = {};  // comes after the statement, such as the number of vectors
 };
 
-// "conforms to 1.1, points + U2, exact", with the note; nothing where conformity_text() has nothing.
+// "conforms to 1.2, points + U2, exact", with the note; nothing where conformity_text() has nothing.
 [[nodiscard]] std::optional<std::string> statement_of(const JudgedProfile& judged);
 // specification, parts, grade, statement (src/cli/manual/check.md).
 [[nodiscard]] Json profile_field(const JudgedProfile& judged);

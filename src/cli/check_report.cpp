@@ -229,7 +229,7 @@ void add_judging_options(CLI::App& command, CheckOptions& options, bool& is_stri
                               kLargestStatedTolerance))
       ->check(complaint_about_tolerance)
       ->capture_default_str();
-  command.add_option("--levels", options.highest_level, "Check levels 1 to this one")
+  command.add_option("--highest-level", options.highest_level, "Check levels 1 to this one")
       ->check(CLI::Range(1, kLevels))
       ->capture_default_str();
   command

@@ -32,7 +32,7 @@ void print_report_json(const Json& json, int indent = -1);
 void print_check_text(const CheckedFiles& files, const CheckReport& report, std::size_t most);
 void write_check_junit(std::ostream& out, const CheckedFiles& files, const CheckReport& report);
 
-// The options --tolerance, --levels and --strict, which all commands that judge claims share.
+// The options --tolerance, --highest-level and --strict, which all commands that judge claims share.
 void add_judging_options(CLI::App& command, CheckOptions& options, bool& is_strict);
 // The exit status that a verdict brings.
 [[nodiscard]] int status_of(Verdict verdict, bool is_strict);

@@ -34,7 +34,7 @@ const std::vector<FileValue>& file_values() {
       {"xyz", "txt", "asc", "csv", "pts", "off", "ply", "obj", "pcd", "npy", "pdb", "ent", "cif", "mmcif"});
   static const Words claims = also_compressed({"jsonl", "json", "csv", "vtp", "txt", "pers"});
   static const std::vector<FileValue> values = {
-      {{"INPUT", "POINTS", "locate --points", "--replay"}, Completed::kFiles, points},
+      {{"INPUT", "POINTS", "locate --positions", "--replay"}, Completed::kFiles, points},
       {{"CLAIM", "--claim"}, Completed::kFiles, claims},
       {{"compute --output"}, Completed::kFiles, {"jsonl"}},
       {{"locate --output"}, Completed::kFiles, {"txt", "jsonl"}},

@@ -80,8 +80,9 @@ void print_centre(const PointSet& points, const Explanation& explanation) {
              fmt::format("a {}, contact set {}", verdict_text(of_centre), fmt::join(of_centre.contact, ", ")));
 }
 
-void print_json(const Explanation& explanation, const AtomNames& atoms) {
-  Json json;
+void print_json(const Explanation& explanation, const Input& input) {
+  const AtomNames& atoms = input.file.atoms;
+  Json json = header_fields("flowcert-explain", 1, input.points);
   json["stationary"] = explanation.index.has_value();
   json["index"] = explanation.index ? index_field(*explanation.index) : Json(nullptr);
   json["kind"] = !explanation.index                 ? Json(nullptr)
@@ -117,7 +118,7 @@ int explain(const ExplainOptions& options) {
     return by_position ? explain_position(input.points, position) : explain_points(input.points, options.ids);
   });
   if (options.json) {
-    print_json(explanation, input.file.atoms);
+    print_json(explanation, input);
   } else {
     print_text(explanation, input.file.atoms,
                by_position ? fmt::format("position {}", explained_point(position))

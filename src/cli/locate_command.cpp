@@ -89,7 +89,7 @@ void print_summary(std::size_t positions, const Input& input, double seconds) {
 
 void locate_all(const LocateOptions& options) {
   if (options.input == kStandardStream && options.positions == kStandardStream) {
-    throw InvalidInput("INPUT and --points cannot both be standard input");
+    throw InvalidInput("INPUT and --positions cannot both be standard input");
   }
   const Input input = read_input(options);
   if (input.points.empty()) throw InvalidInput(input.name + ": there are no points");
@@ -116,7 +116,7 @@ void add_locate_command(CLI::App& app) {
   auto options = std::make_shared<LocateOptions>();
   CLI::App* command = app.add_subcommand("locate", "Where the flow takes many positions; their nearest samples");
   add_input_options(*command, *options);
-  command->add_option("--points", options->positions, "The positions: a point file, or - for standard input")
+  command->add_option("--positions", options->positions, "The positions: a point file, or - for standard input")
       ->type_name("FILE")
       ->required();
   command
@@ -126,8 +126,8 @@ void add_locate_command(CLI::App& app) {
   command->add_flag("--json", options->json, "JSON Lines: a header, and an object for each position");
   add_threads_option(*command, options->threads);
   command->footer(
-      "Examples:\n  flowcert locate bunny.obj --points probes.xyz\n"
-      "  flowcert locate bunny.obj --points probes.xyz --json -o places.jsonl");
+      "Examples:\n  flowcert locate bunny.obj --positions probes.xyz\n"
+      "  flowcert locate bunny.obj --positions probes.xyz --json -o places.jsonl");
   command->callback([options] { locate_all(*options); });
 }
 

@@ -78,7 +78,7 @@ void print_result(const MedialOptions& options, const Input& input, const FlowCo
     io::Json json = io::header_fields("flowcert-medial", 1, complex.points());
     io::add_counts(json, complex.points(), complex.stationary());
     json["persistence"] = options.persistence ? io::Json(*options.persistence) : io::Json(nullptr);
-    if (options.radius) json["radius"] = *options.radius;
+    json["radius"] = options.radius ? io::Json(*options.radius) : io::Json(nullptr);
     if (medial.automatic_persistence) json["auto_persistence"] = automatic_field(*medial.automatic_persistence);
     if (medial.automatic_radius) json["auto_radius"] = automatic_field(*medial.automatic_radius);
     json["angle"] = options.angle ? io::Json(*options.angle) : io::Json(nullptr);

@@ -118,24 +118,21 @@ struct Computed {
   Measured measured;
   // Told by the parts that are forgotten before the pairs are made.
   std::size_t cells = 0;
-  std::size_t surface_ties = 0, orbit_ties = 0;
+  std::size_t ties = 0;  // boundaries that a tie leaves open
 };
 
-// The pairs take as much memory as all before them, which a certificate alone needs afterwards. They need no U2. The
-// object tells of it, and its ties.
+// The pairs take as much memory as all before them, which a certificate alone needs afterwards.
 Computed compute_pairs(const Input& input, const PersistenceOptions& options) {
   using enum FlowComplexPart;
   Computed computed;
   const PartMade made = [&](FlowComplex& complex, FlowComplexPart part) {
-    if (part == kChains) computed.orbit_ties = complex.chains().broken_ties();
     if (part != kLinks) return;
     computed.cells = complex.delaunay_cells();
-    computed.surface_ties = complex.stable().statistics().broken_ties;
+    computed.ties = complex.stable().statistics().broken_ties;
     if (options.certificate.empty()) complex.forget_diagram();
   };
-  std::vector<FlowComplexPart> parts{kStable, kLinks, kPersistence};
-  if (options.json) parts.insert(parts.begin(), {kUnstable, kStable, kChains});
-  computed.measured = measure(input.points, 1, complex_options(input, {.seed = options.seed}), parts, made);
+  computed.measured =
+      measure(input.points, 1, complex_options(input, {.seed = options.seed}), {kStable, kLinks, kPersistence}, made);
   return computed;
 }
 
@@ -157,8 +154,8 @@ void print_table(const Input& input, const Computed& computed, bool with_zero) {
   }
   print_row("pairs of length zero", with_commas(zero),
             with_zero ? "regular stationary points" : "regular; --zero writes them");
-  if (computed.surface_ties > 0) {
-    print_row("choices at ties, surfaces", with_commas(computed.surface_ties),
+  if (computed.ties > 0) {
+    print_row("choices at ties, surfaces", with_commas(computed.ties),
               "one of several boundaries was taken; pairs do not depend on it");
   }
   print_times(measured);
@@ -167,17 +164,15 @@ void print_table(const Input& input, const Computed& computed, bool with_zero) {
 }
 
 void print_json(const Input& input, const Computed& computed, const PersistenceDiagram& diagram, std::uint64_t seed) {
-  const Measured& measured = computed.measured;
-  const FlowComplex& complex = *measured.last;
+  const FlowComplex& complex = *computed.measured.last;
   Json json = header_fields("flowcert-persistence", 1, input.points);
   add_counts(json, input.points, complex.stationary());
   Json& counts = json["counts"] = Json::array();
   for (const PairCounts& count : counts_of(complex)) {
     counts.push_back({{"positive", count.positive}, {"zero", count.zero}, {"lasting", count.lasting}});
   }
-  json["ties_broken"] = {{"u2", computed.orbit_ties}, {"s2", computed.surface_ties}};
+  json["ties_broken"] = computed.ties;
   json["seed"] = seed;
-  add_times(json, measured);
   json["has_zero"] = diagram.has_zero();
   // The pairs come last, and are printed as they are made: all of them as one object take gigabytes.
   json["pairs"] = Json::array();

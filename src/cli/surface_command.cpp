@@ -134,7 +134,7 @@ Json edges_field(const TriangleEdges& edges) {
 
 void print_json(const Surface& surface) {
   const SurfaceThresholds& thresholds = surface.selected.thresholds;
-  Json json = header_fields("flowcert-surface", 2, surface.input.points);
+  Json json = header_fields("flowcert-surface-summary", 1, surface.input.points);
   add_counts(json, surface.input.points, surface.complex.stationary());
   json["select"] = surface.options.selections;
   json["sets"] = surface.complex.stationary().critical_counts()[2];

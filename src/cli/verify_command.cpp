@@ -458,7 +458,7 @@ void add_verify_command(CLI::App& app, int& status, const OtherTruth& oracle, co
   add_judging_options(*command, verification.check, options->is_strict);
   command->add_option("--most", options->most, "Report so many failing cases; without this 10, to programs 1,000")
       ->check(CLI::NonNegativeNumber);
-  command->add_option("--only", verification.only, "Expect an answer to this case alone")
+  command->add_option("--case", verification.only, "Expect an answer to this case alone")
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--persistence", verification.judges_pairs,
                     "Answers are persistence pairs, as persistence --json or GUDHI's tools write them");

@@ -177,7 +177,7 @@ void add_view_command(CLI::App& app, int& status) {
       "--claim", options->claim,
       "Show what check finds wrong with this claim, in place; the exit status is then that of check");
   add_judging_options(*command, options->check, options->is_strict);
-  for (const char* name : {"--tolerance", "--levels", "--indices", "--strict"}) {
+  for (const char* name : {"--tolerance", "--highest-level", "--indices", "--strict"}) {
     command->get_option(name)->needs(claim);
   }
   command

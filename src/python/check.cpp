@@ -18,12 +18,12 @@ namespace py = pybind11;
 
 namespace {
 
-CheckOptions options_of(double tolerance, int levels, const std::vector<int>& indices) {
+CheckOptions options_of(double tolerance, int highest_level, const std::vector<int>& indices) {
   // With a larger tolerance, nearly every claim is ambiguous.
   constexpr double kLargestTolerance = 1e-3;
   if (!(0 <= tolerance && tolerance <= kLargestTolerance)) throw InvalidInput("tolerance must be from 0 to 0.001");
-  if (levels < 1 || levels > kLevels) throw InvalidInput("levels must be from 1 to 5");
-  CheckOptions options{.tolerance = tolerance, .highest_level = levels, .indices = {}};
+  if (highest_level < 1 || highest_level > kLevels) throw InvalidInput("highest_level must be from 1 to 5");
+  CheckOptions options{.tolerance = tolerance, .highest_level = highest_level, .indices = {}};
   for (const int index : indices) {
     if (index < 0 || index > 3) throw InvalidInput("indices must be from 0 to 3");
     options.indices.at(static_cast<std::size_t>(index)) = true;
@@ -69,9 +69,9 @@ py::dict report_of(const CheckReport& report, double tolerance) {
 }
 
 // claim: the content of a file, or the path of one.
-py::dict check_claim(const Complex& complex, const std::string& claim, bool is_path, double tolerance, int levels,
-                     const std::vector<int>& indices, bool unlimited) {
-  const CheckOptions options = options_of(tolerance, levels, indices);
+py::dict check_claim(const Complex& complex, const std::string& claim, bool is_path, double tolerance,
+                     int highest_level, const std::vector<int>& indices, bool unlimited) {
+  const CheckOptions options = options_of(tolerance, highest_level, indices);
   CheckReport report;
   {
     const ReleasedLock released;
@@ -88,8 +88,8 @@ py::dict check_claim(const Complex& complex, const std::string& claim, bool is_p
 
 void add_check(py::module_& module) {
   module.def("check", check_claim, py::arg("complex"), py::arg("claim"), py::arg("is_path"), py::arg("tolerance"),
-             py::arg("levels"), py::arg("indices"), py::arg("unlimited"), py::call_guard<geometry::IeeeDoubles>(),
-             "What flowcert.check asks.");
+             py::arg("highest_level"), py::arg("indices"), py::arg("unlimited"),
+             py::call_guard<geometry::IeeeDoubles>(), "What flowcert.check asks.");
 }
 
 }  // namespace flowcert::python

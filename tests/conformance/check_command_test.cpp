@@ -311,7 +311,7 @@ TEST(CheckCommand, NamesWhatIsMissing) {
     const json record = json::parse(line);
     if (record.contains("kind") && record["index"] != 0) expected.push_back(record["contact"]);
   }
-  const json report = missing.as_json({"--levels", "3"});
+  const json report = missing.as_json({"--highest-level", "3"});
   EXPECT_EQ(levels(report), json({true, true, false, nullptr, nullptr}));
   std::vector<std::vector<int>> named;
   for (const json& finding : report["findings"]) {
@@ -322,7 +322,7 @@ TEST(CheckCommand, NamesWhatIsMissing) {
   std::sort(expected.begin(), expected.end());
   std::sort(named.begin(), named.end());
   EXPECT_EQ(named, expected);
-  const Finished text = missing.run({"--levels", "3", "--most", "1"});
+  const Finished text = missing.run({"--highest-level", "3", "--most", "1"});
   EXPECT_EQ(text.status, 1);
   EXPECT_NE(text.out.find("(of each level, 1 more at most are shown)"), std::string::npos) << text.out;
   EXPECT_NE(text.out.find("\nfails ("), std::string::npos) << text.out;
@@ -400,7 +400,7 @@ TEST(CheckCommand, WritesAReportForCiSystems) {
   EXPECT_EQ(cases, 5U);
   EXPECT_NE(report.find("missing [FC-CLAIM-03]"), std::string::npos);
   EXPECT_EQ(report.find("< "), std::string::npos);
-  EXPECT_NE(report.find("<property name=\"profile\" value=\"does not conform to 1.1\"/>"), std::string::npos) << report;
+  EXPECT_NE(report.find("<property name=\"profile\" value=\"does not conform to 1.2\"/>"), std::string::npos) << report;
 
   // A permitted variation is told, and is no failure.
   const Checked varied(kCollisions, kCollisionsClaimed);
@@ -413,7 +413,7 @@ TEST(CheckCommand, WritesAReportForCiSystems) {
   const Checked right(kCube, Words{});
   EXPECT_EQ(right.run({"--junit", path, "--json"}).status, 0);
   EXPECT_NE(content_of(path).find("failures=\"0\""), std::string::npos);
-  EXPECT_NE(content_of(path).find("value=\"conforms to 1.1, points, exact\""), std::string::npos) << content_of(path);
+  EXPECT_NE(content_of(path).find("value=\"conforms to 1.2, points, exact\""), std::string::npos) << content_of(path);
 }
 
 TEST(CheckCommand, SaysInWhichProfileAClaimConforms) {
@@ -421,14 +421,14 @@ TEST(CheckCommand, SaysInWhichProfileAClaimConforms) {
   const Checked limits(kCube, Words{"--manifolds", "u2"});
   const auto lines = lines_of(limits.run().out);
   ASSERT_GE(lines.size(), 2U);
-  EXPECT_EQ(lines[lines.size() - 2], "conforms to 1.1, points + U2, exact");
-  EXPECT_EQ(limits.as_json()["profile"], json::parse(R"({"specification": "1.1", "parts": ["points", "U2"],
-      "grade": "exact", "statement": "conforms to 1.1, points + U2, exact"})"));
-  const json shallow = limits.as_json({"--levels", "2"})["profile"];
+  EXPECT_EQ(lines[lines.size() - 2], "conforms to 1.2, points + U2, exact");
+  EXPECT_EQ(limits.as_json()["profile"], json::parse(R"({"specification": "1.2", "parts": ["points", "U2"],
+      "grade": "exact", "statement": "conforms to 1.2, points + U2, exact"})"));
+  const json shallow = limits.as_json({"--highest-level", "2"})["profile"];
   EXPECT_EQ(shallow["parts"], json::array());
   EXPECT_TRUE(shallow["statement"].is_null());
   const Checked wrong(kCube, std::string("index,x,y,z\n0,0,0,0\n"));
-  EXPECT_EQ(wrong.as_json()["profile"]["statement"], "does not conform to 1.1");
+  EXPECT_EQ(wrong.as_json()["profile"]["statement"], "does not conform to 1.2");
   EXPECT_EQ(wrong.as_json()["profile"]["grade"], "approximate");
 }
 
@@ -451,7 +451,7 @@ TEST(CheckCommand, StatesDecimalsWithASmallToleranceAlone) {
     EXPECT_EQ(report["verdict"], "conforms");
     return report["profile"]["statement"];
   };
-  const std::string within = "conforms to 1.1, points, approximate within 1e-06";
+  const std::string within = "conforms to 1.2, points, approximate within 1e-06";
   EXPECT_EQ(text(decimals, "1e-6"), within);
   EXPECT_NE(content_of(path).find("<property name=\"profile\" value=\"" + within + "\"/>"), std::string::npos);
   EXPECT_EQ(statement(decimals, "0.000001"), within);
@@ -464,11 +464,11 @@ TEST(CheckCommand, StatesDecimalsWithASmallToleranceAlone) {
     EXPECT_EQ(text(pairs, tolerance), none);
     EXPECT_TRUE(statement(pairs, tolerance).is_null()) << tolerance;
   }
-  EXPECT_EQ(text(pairs, "1e-6"), "conforms to 1.1, persistence, approximate within 1e-06");
-  EXPECT_EQ(text(exact, "0.001"), "conforms to 1.1, points, exact");
-  EXPECT_EQ(statement(exact, "0.001"), "conforms to 1.1, points, exact");
+  EXPECT_EQ(text(pairs, "1e-6"), "conforms to 1.2, persistence, approximate within 1e-06");
+  EXPECT_EQ(text(exact, "0.001"), "conforms to 1.2, points, exact");
+  EXPECT_EQ(statement(exact, "0.001"), "conforms to 1.2, points, exact");
   const Checked wrong(two, std::string("0,0,0,0\n0,2,0,0\n1,1.5,0,0\n"));
-  EXPECT_EQ(text(wrong, "0.001"), "does not conform to 1.1");
+  EXPECT_EQ(text(wrong, "0.001"), "does not conform to 1.2");
 }
 
 TEST(CheckCommand, RefusesWhatItCannotUse) {
@@ -497,7 +497,7 @@ TEST(CheckCommand, RefusesWhatItCannotUse) {
   refuses({"check", own.points(), own.scratch().file("marks", mark + mark + row)}, "marks:1");
   refuses({"check", own.points(), own.claim(), "--tolerance", "1"}, "--tolerance");
   refuses({"check", own.points(), own.claim(), "--tolerance", "nan"}, "--tolerance");
-  refuses({"check", own.points(), own.claim(), "--levels", "6"}, "--levels");
+  refuses({"check", own.points(), own.claim(), "--highest-level", "6"}, "--highest-level");
   refuses({"check", own.points(), own.claim(), "--junit", none + "/report.xml"}, none);
   const Checked large(lattice_points(4, 101, 50), Words{});
   refuses({"check", large.points(), large.claim(), "--oracle"}, "--oracle: 101 points");

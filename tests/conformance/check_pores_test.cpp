@@ -42,7 +42,7 @@ TEST(CheckPores, TakesDiametersOfTheCage) {
       << part.out;
   const Finished whole = check(std::string(kRight) + "all\ndepth 0.5\n");
   EXPECT_EQ(whole.status, 0) << whole.out;
-  EXPECT_NE(whole.out.find("\nconforms to 1.1, pores, approximate within 1e-06\n"), std::string::npos) << whole.out;
+  EXPECT_NE(whole.out.find("\nconforms to 1.2, pores, approximate within 1e-06\n"), std::string::npos) << whole.out;
   EXPECT_EQ(check(kRight, {"--tolerance", "1e-9"}).status, 1);
   const Finished left_out = check("window 3.628998\n");
   EXPECT_EQ(left_out.status, 0);
@@ -95,7 +95,7 @@ TEST(CheckPores, JudgesWhatPoresWrites) {
     const std::string text = flowcert({"pores", balls, radii[0], radii[1], "--depth", depth, "--json"}).out;
     const Finished own = judged(text, "--strict");
     EXPECT_EQ(own.status, 0) << own.out;
-    EXPECT_NE(own.out.find("\nconforms to 1.1, pores, exact\n"), std::string::npos) << own.out;
+    EXPECT_NE(own.out.find("\nconforms to 1.2, pores, exact\n"), std::string::npos) << own.out;
   }
   auto changed =
       nlohmann::ordered_json::parse(flowcert({"pores", balls, radii[0], radii[1], "--depth", "0.15", "--json"}).out);
@@ -120,7 +120,8 @@ TEST(CheckPores, RefusesWhatItCannotJudge) {
             std::string::npos);
   EXPECT_NE(refusal({"check", kCage, claim, "--radii", "bondi", "--oracle"}).find("judges no pores"),
             std::string::npos);
-  EXPECT_NE(refusal({"check", kCage, claim, "--radii", "bondi", "--levels", "2"}).find("--levels"), std::string::npos);
+  EXPECT_NE(refusal({"check", kCage, claim, "--radii", "bondi", "--highest-level", "2"}).find("--highest-level"),
+            std::string::npos);
   EXPECT_EQ(refusal({"check", kCage, cut, "--radii", "bondi"}).find("flowcert: " + cut + ":2: not a kind"), 0U);
 }
 

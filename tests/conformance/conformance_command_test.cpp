@@ -332,7 +332,7 @@ TEST_F(ConformanceCommand, PrintsATable) {
   EXPECT_TRUE(has_line("not judged: the orbits of 1 case, without --orbits-against", "")) << finished.out;
   EXPECT_TRUE(has_line("and 1 more; --most shows more", "")) << finished.out;
   EXPECT_TRUE(has_line("4 cases in ", ": 2 conform, 0 where determined, 0 perturbed, 2 negative")) << finished.out;
-  EXPECT_TRUE(has_line("does not conform to 1.1 (4 of ", " vectors)")) << finished.out;
+  EXPECT_TRUE(has_line("does not conform to 1.2 (4 of ", " vectors)")) << finished.out;
   EXPECT_EQ(lines.back(), "fails");
   EXPECT_EQ(finished.err, "");
 }
@@ -388,7 +388,7 @@ TEST_F(ConformanceCommand, WritesAReportForCiSystems) {
   const std::vector<std::string> names = elements_of(content_of(path));
   EXPECT_EQ(names, (Words{"testsuites", "testsuite", "properties", "property", "testcase", "testcase", "skipped",
                           "testsuite", "properties", "property", "testcase", "failure"}));
-  EXPECT_NE(content_of(path).find("value=\"does not conform to 1.1 (2 of "), std::string::npos) << content_of(path);
+  EXPECT_NE(content_of(path).find("value=\"does not conform to 1.2 (2 of "), std::string::npos) << content_of(path);
   EXPECT_NE(content_of(path).find("<testsuite name=\"unstable-manifolds\" tests=\"1\" failures=\"1\" "
                                   "errors=\"0\" skipped=\"0\""),
             std::string::npos)
@@ -400,7 +400,7 @@ TEST_F(ConformanceCommand, WritesAReportForCiSystems) {
   EXPECT_EQ(run(varied).status, 0);
   EXPECT_EQ(elements_of(content_of(path)),
             (Words{"testsuites", "testsuite", "properties", "property", "testcase", "system-out"}));
-  EXPECT_NE(content_of(path).find("value=\"is perturbed under 1.1, points, approximate within 1e-09 (1 of "),
+  EXPECT_NE(content_of(path).find("value=\"is perturbed under 1.2, points, approximate within 1e-09 (1 of "),
             std::string::npos)
       << content_of(path);
   EXPECT_NE(content_of(path).find("failures=\"0\""), std::string::npos);
@@ -416,7 +416,7 @@ TEST_F(ConformanceCommand, StatesDecimalsWithASmallToleranceAlone) {
   const std::string near = script("printf '0,0,0,0\\n0,3,0,0\\n0,0,4,0\\n1,1.5,0,0\\n1,0,2,0\\n' > \"$2\"");
   const json stated = as_json(words(near, "1e-6"))["profile"], none = as_json(words(near, "1.1e-6"))["profile"];
   EXPECT_TRUE(
-      stated["statement"].get<std::string>().starts_with("conforms to 1.1, points, approximate within 1e-06 (1 of "))
+      stated["statement"].get<std::string>().starts_with("conforms to 1.2, points, approximate within 1e-06 (1 of "))
       << stated;
   EXPECT_TRUE(none["statement"].is_null()) << none;
   EXPECT_EQ(none["grade"], "approximate");
@@ -425,7 +425,7 @@ TEST_F(ConformanceCommand, StatesDecimalsWithASmallToleranceAlone) {
   EXPECT_EQ(lines[lines.size() - 2], "no statement: the tolerance 1.1e-06 is above 1e-06 (FC-CLAIM-23)");
   EXPECT_EQ(lines.back(), "conforms");
   const json exact = as_json(words(kCompute, "0.001"))["profile"];
-  EXPECT_TRUE(exact["statement"].get<std::string>().starts_with("conforms to 1.1, points")) << exact;
+  EXPECT_TRUE(exact["statement"].get<std::string>().starts_with("conforms to 1.2, points")) << exact;
 }
 
 TEST_F(ConformanceCommand, KeepsWhatIsNeededToSeeForOneself) {

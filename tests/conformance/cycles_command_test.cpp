@@ -180,7 +180,7 @@ TEST(CyclesCommand, ChecksLinesOfOthers) {
   const std::string right = scratch.file("right.txt", "cycles 1 all\npair 1.0 2.0\nloop 3 2 1 0\n");
   const Finished conforms = flowcert({"check", square, right});
   EXPECT_EQ(conforms.status, 0);
-  EXPECT_NE(conforms.out.find("conforms to 1.1, cycles, approximate within 1e-09"), std::string::npos);
+  EXPECT_NE(conforms.out.find("conforms to 1.2, cycles, approximate within 1e-09"), std::string::npos);
   const std::string wrong = scratch.file("wrong.txt", "cycles 1\npair 0,1/0,1,2,3\nloop 0 1 2\n");
   const std::string junit = scratch.path("junit.xml");
   const Finished fails = flowcert({"check", square, wrong, "--junit", junit});
@@ -196,7 +196,7 @@ TEST(CyclesCommand, ChecksLinesOfOthers) {
   EXPECT_EQ(json["cycles"][1],
             nlohmann::json({{"dimension", 1}, {"claimed", 1}, {"true", 1}, {"wrong", 1}, {"missing", 0}}));
   EXPECT_EQ(json["findings"][0]["reason"], "edge-too-long");
-  for (const Words& words : {Words{"--oracle"}, Words{"--levels", "2"}}) {
+  for (const Words& words : {Words{"--oracle"}, Words{"--highest-level", "2"}}) {
     Words check{"check", square, right};
     check.insert(check.end(), words.begin(), words.end());
     EXPECT_EQ(flowcert(check).status, 2);

@@ -59,6 +59,9 @@ TEST(ExplainCommand, SaysWhatACriticalPointIs) {
   EXPECT_NE(text.out.find("3/4 (0.75)"), std::string::npos) << text.out;
 
   const json answer = cube.as_json("--ids", "0,1,2,3");
+  EXPECT_EQ(answer["format"], "flowcert-explain");
+  EXPECT_EQ(answer["format_version"], 1);
+  EXPECT_EQ(answer["input_sha256"].get<std::string>().size(), 64U);
   EXPECT_EQ(answer["stationary"], true);
   EXPECT_EQ(answer["index"], 2);
   EXPECT_EQ(answer["kind"], "critical");

@@ -100,7 +100,8 @@ TEST(ExportCommand, WithoutASelectionAllSurfacesAreWritten) {
   const std::string input = scratch.file("points.xyz", random_points(1, 80)), files = scratch.path("a/b");
   const json summary = json_of({"compute", input, "--export", files, "--json"});
   const json all = surface(scratch, input, {});
-  EXPECT_EQ(all["format"], "flowcert-surface");
+  EXPECT_EQ(all["format"], "flowcert-surface-summary");
+  EXPECT_EQ(all["format_version"], 1);
   EXPECT_EQ(all["sets"], summary["critical"][2]);
   EXPECT_EQ(all["selected"], summary["critical"][2]);
   EXPECT_EQ(all["triangles"], summary["s2"]["triangles"]);

@@ -58,6 +58,8 @@ TEST(FuzzCommand, HoldsAllPropertiesOnASmallCampaign) {
   const Scratch scratch;
   const json report =
       campaign({"--count", "600", "--seed", "5", "--points", "0-7", "--jobs", "2", "--out", scratch.path("campaign")});
+  EXPECT_EQ(report.at("format"), "flowcert-fuzz-report");
+  EXPECT_EQ(report.at("format_version"), 1);
   EXPECT_EQ(report.at("cases"), 600);
   EXPECT_EQ(report.at("failing_cases"), 0);
   EXPECT_GE(report.at("signatures"), 100);
@@ -293,7 +295,10 @@ TEST(FuzzCommand, DoesOneCaseAgain) {
   EXPECT_EQ(merged.status, 1) << merged.err;
   const Finished right = flowcert({"fuzz", "--case", "7", "--property", "critical-points", "--json"});
   EXPECT_EQ(right.status, 0) << right.err;
-  EXPECT_EQ(json::parse(right.out), json::array());
+  const json case_report = json::parse(right.out);
+  EXPECT_EQ(case_report.at("format"), "flowcert-fuzz-case");
+  EXPECT_EQ(case_report.at("case"), 7);
+  EXPECT_EQ(case_report.at("findings"), json::array());
 }
 
 // Whether a process has these words in its command line.
@@ -338,7 +343,7 @@ class FuzzCommandEndings : public testing::TestWithParam<std::pair<const char*, 
 TEST_P(FuzzCommandEndings, AreFindings) {
   const Scratch scratch;
   const auto& [how, kind] = GetParam();
-  const json report = campaign({"--count", "12", "--against", peer(how), "--points", "5-7", "--search", "0",
+  const json report = campaign({"--count", "12", "--against", peer(how), "--points", "5-7", "--mutants", "0",
                                 "--time-limit", "0.3", "--out", scratch.path("campaign")},
                                1);
   bool is_found = false;
@@ -368,7 +373,7 @@ TEST(FuzzCommand, BeginsWithACorpus) {
   const Scratch scratch;
   fs::create_directory(scratch.path("corpus"));
   (void)scratch.file("corpus/square.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n");
-  const json with = campaign({"--count", "50", "--corpus", scratch.path("corpus"), "--search", "100"});
+  const json with = campaign({"--count", "50", "--corpus", scratch.path("corpus"), "--mutants", "100"});
   EXPECT_EQ(with.at("by_family").at("mutant"), 50);
   (void)scratch.file("corpus/bad.xyz", "0 0\n");
   const Finished bad = flowcert({"fuzz", "--count", "50", "--corpus", scratch.path("corpus")});

@@ -110,7 +110,7 @@ TEST(FuzzFindings, TheFirstIsTheOnlyOne) {
   }
   // Known ones do not count.
   const Finished known =
-      flowcert({"fuzz", "--first", "--count", "40", "--families", "box-corners", "--search", "0", "--points", "4-4",
+      flowcert({"fuzz", "--first", "--count", "40", "--families", "box-corners", "--mutants", "0", "--points", "4-4",
                 "--through", kThrough, "--out", scratch.path("3"), "--known", scratch.path("1"), scratch.path("2")});
   EXPECT_LT(known.status, 2) << known.err;
 }

@@ -115,7 +115,7 @@ TEST_P(FuzzThroughEndings, AreFindings) {
   const Scratch scratch;
   const auto& [how, kind, complaint] = GetParam();
   const json report =
-      campaign({"--count", "14", "--points", "5-7", "--search", "0", "--families", "general-position", "--time-limit",
+      campaign({"--count", "14", "--points", "5-7", "--mutants", "0", "--families", "general-position", "--time-limit",
                 "0.3", "--through", kThrough + " " + how + " 6", "--out", scratch.path("campaign")},
                1);
   ASSERT_EQ(report.at("findings").size(), 1U) << report.at("findings");

@@ -67,7 +67,7 @@ TEST(Generate, PointsAloneAreAPointFile) {
   CITES("FC-IN-02");
   for (const Words& form : {Words{}, Words{"--hex"}}) {
     for (const std::string number : {"0", "3", "17"}) {
-      Words options = {"--seed", "7", "--only", number};
+      Words options = {"--seed", "7", "--case", number};
       options.insert(options.end(), form.begin(), form.end());
       const std::string one = cases_of(generated(options)).at(0);
       options.emplace_back("--xyz");
@@ -75,12 +75,12 @@ TEST(Generate, PointsAloneAreAPointFile) {
     }
   }
   const Scratch scratch;
-  const std::string points = scratch.file("a.xyz", generated({"--only", "3", "--xyz"}));
+  const std::string points = scratch.file("a.xyz", generated({"--case", "3", "--xyz"}));
   const Finished piped = flowcert({"compute", "-"}, {.standard_input = points, .standard_output = ""});
   EXPECT_EQ(piped.status, 0) << piped.err;
   const Finished all = flowcert({"generate", "--xyz"});
   EXPECT_EQ(all.status, 2);
-  EXPECT_EQ(all.err, "flowcert: --xyz requires --only (see flowcert generate --help)\n");
+  EXPECT_EQ(all.err, "flowcert: --xyz requires --case (see flowcert generate --help)\n");
 }
 
 // Every number of families that is written is the number that there is.
@@ -113,7 +113,7 @@ TEST(Generate, OnlyIsTheVeryCase) {
   const std::vector<std::string> cases = cases_of(generated(run));
   ASSERT_EQ(cases.size(), 20U);
   for (const std::size_t number : {std::size_t{0}, std::size_t{13}, std::size_t{19}}) {
-    const auto alone = cases_of(generated(joined(run, {"--only", std::to_string(number)})));
+    const auto alone = cases_of(generated(joined(run, {"--case", std::to_string(number)})));
     ASSERT_EQ(alone.size(), 1U);
     EXPECT_EQ(alone.front(), cases[number]);
   }
@@ -140,7 +140,7 @@ TEST(Generate, LeavesOutCasesOfMorePoints) {
   EXPECT_GT(next, 20U);
   EXPECT_LT(next, 100U);
   const std::string number = id_of(some[1]).substr(4, id_of(some[1]).find('/') - 4);
-  EXPECT_EQ(cases_of(generated(joined(few, {"--only", number}))).at(0), some[1]);
+  EXPECT_EQ(cases_of(generated(joined(few, {"--case", number}))).at(0), some[1]);
 }
 
 TEST(Generate, ACaseWithoutPointsIsAPointFile) {
@@ -148,7 +148,7 @@ TEST(Generate, ACaseWithoutPointsIsAPointFile) {
   const auto& cases = cases_of(generated());
   const auto empty = std::ranges::find_if(cases, [](const std::string& one) { return lines_of(one).size() == 1; });
   ASSERT_NE(empty, cases.end());
-  EXPECT_EQ(generated({"--only", std::to_string(empty - cases.begin()), "--xyz"}), "# no points\n");
+  EXPECT_EQ(generated({"--case", std::to_string(empty - cases.begin()), "--xyz"}), "# no points\n");
 }
 
 TEST(Generate, PrintsExactNumbers) {
@@ -207,13 +207,13 @@ TEST(Generate, RefusesWhatItCannotUse) {
   refuses({"--seed", "18446744073709551616"}, "--seed");
   refuses({"--cases", "0"}, "--cases");
   refuses({"--cases", "10000001"}, "--cases");
-  refuses({"--only", "500"}, "--only: the run has 500 cases, 0 to 499");
-  refuses({"--cases", "1", "--only", "1"}, "--only: the run has 1 case, 0 to 0");
+  refuses({"--case", "500"}, "--case: the run has 500 cases, 0 to 499");
+  refuses({"--cases", "1", "--case", "1"}, "--case: the run has 1 case, 0 to 0");
   refuses({"--most-points", "-1"}, "--most-points");
   refuses({"--most-points", "1", "--family", "lattice-4"}, "--most-points: every case has more points than that");
   const std::string first = cases_of(generated({"--family", "lattice-4"})).at(0);
-  refuses({"--most-points", "1", "--family", "lattice-4", "--only", "0"},
-          "--only: case 0 has " + std::to_string(lines_of(first).size() - 1) + " points, more than --most-points says");
+  refuses({"--most-points", "1", "--family", "lattice-4", "--case", "0"},
+          "--case: case 0 has " + std::to_string(lines_of(first).size() - 1) + " points, more than --most-points says");
   refuses({"--family", "lattice-22"}, "no family is called 'lattice-22'; there are: general-position,");
 }
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """judge_agreement_test.py FLOWCERT SPEC ROUNDS
 
-Both judges, spec/judge.py and `flowcert conformance --levels 4`, judge claims about every fourth vector, and about all
-in a whole run: right ones, and so many rounds of mutated ones, of which every third has a greater tolerance. They have
+Both judges, spec/judge.py and `flowcert conformance --highest-level 4`, judge claims about every fourth vector, and
+about all in a whole run: right ones, and so many rounds of mutated ones, of which every third has a greater tolerance. They have
 to agree on every outcome and every finding, and on the statement of the profile.
 So they have to on mutated orbits, which may go on beyond regular stationary points.
 """
@@ -102,7 +102,8 @@ def differences(case, ours, theirs):
 def run_both(command, vectors, *options):
     both = []
     for program in ([sys.executable, SPEC / "judge.py"], [FLOWCERT, "conformance"]):
-        words = [*program, "--vectors", vectors, "--levels", "4", "--hex", "--json", "--against", command, *options]
+        words = [*program, "--vectors", vectors, "--highest-level", "4", "--hex", "--json", "--against", command,
+                 *options]
         run = subprocess.run(words, capture_output=True)
         assert run.returncode in (0, 1), run.stderr.decode()
         both.append(json.loads(run.stdout))

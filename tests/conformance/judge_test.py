@@ -38,8 +38,8 @@ HEADER = '{"format": "flowcert-stationary-points", "format_version": 1}'
 TRIANGLE = CASES["critical-points-0002"]  # 0 0 0, 4 0 0, 1 3 0
 
 
-def judged(case, data, tolerance=1e-9, levels=4):
-    options = SimpleNamespace(tolerance=tolerance, levels=levels)
+def judged(case, data, tolerance=1e-9, highest_level=4):
+    options = SimpleNamespace(tolerance=tolerance, highest_level=highest_level)
     return judge.judge_bytes(case, data if isinstance(data, bytes) else data.encode(), options)
 
 
@@ -403,7 +403,7 @@ class Verdicts(unittest.TestCase):
         asked = [one for one in judgements if "answers" not in one and one.get("levels", 4) < 5]
         self.assertGreater(len(asked), 100)
         for one in asked:
-            result = judged(CASES[one["case"]], text_of(*one["claim"]), levels=one.get("levels", 4))
+            result = judged(CASES[one["case"]], text_of(*one["claim"]), highest_level=one.get("levels", 4))
             owed = one["verdict"], judgements_test.sorted_findings(one["findings"])
             self.assertEqual((result["outcome"], judgements_test.sorted_findings(result["findings"])), owed, one["id"])
             if "statement" in one:
@@ -558,25 +558,25 @@ class Verdicts(unittest.TestCase):
         near = [{"index": one["index"],
                  "center_double": [x + 1e-7 * x for x in one["center_double"]]} for one in records]
         for tolerance, outcome, said in [
-                (1e-9, "fails", "does not conform to 1.1"),
-                (1e-6, "conforms", "conforms to 1.1, points, approximate within 1e-06"), (2e-6, "conforms", None)]:
+                (1e-9, "fails", "does not conform to 1.2"),
+                (1e-6, "conforms", "conforms to 1.2, points, approximate within 1e-06"), (2e-6, "conforms", None)]:
             result = judged(TRIANGLE, text_of(HEADER, *near), tolerance=tolerance)
             self.assertEqual(result["outcome"], outcome)
             self.assertEqual(judge.statement(outcome, [result["profile"]], tolerance), said)
         exact = judged(TRIANGLE, text_of(HEADER, *records), tolerance=1e-3)
         said = judge.statement("conforms", [exact["profile"]], 1e-3)
-        self.assertEqual(said, "conforms to 1.1, points + U2 + S2, exact")
+        self.assertEqual(said, "conforms to 1.2, points + U2 + S2, exact")
         few = text_of(HEADER[:-1] + ', "indices": [1, 2]}', *records[3:])
         said = judge.statement("conforms", [judged(TRIANGLE, few)["profile"]], 1e-9)
-        self.assertEqual(said, "conforms to 1.1, points of index 1, 2, exact")
+        self.assertEqual(said, "conforms to 1.2, points of index 1, 2, exact")
         case = CASES["regular-stationary-points-0002"]
         for key, told in [("none", (True, True)), ("limits", (False, True)), ("stable", (True, False))]:
             some = right_records(case)
             next(one for one in some if one["index"] == 2).pop(key, None)
             parts = judged(case, text_of(HEADER, *some))["profile"]["parts"]
             self.assertEqual(parts, {"points": True, "U2": told[0], "S2": told[1], "orbits": None}, key)
-        for levels, said in [(1, None), (2, None), (3, "conforms to 1.1, points, exact")]:
-            result = judged(TRIANGLE, text_of(HEADER, *records), levels=levels)
+        for levels, said in [(1, None), (2, None), (3, "conforms to 1.2, points, exact")]:
+            result = judged(TRIANGLE, text_of(HEADER, *records), highest_level=levels)
             self.assertEqual(judge.statement(result["outcome"], [result["profile"]], 1e-9), said)
             self.assertEqual(result["judged"], set(range(1, levels + 1)))
 
@@ -586,19 +586,19 @@ class Verdicts(unittest.TestCase):
         other = {"parts": {"points": True, "U2": False, "S2": True, "orbits": None}, "indices": {0, 1, 3},
                  "exact": False}
         self.assertEqual(judge.statement("perturbed", [one, other], 1e-9),
-                         "is perturbed under 1.1, points of index 0, 1, 3 + S2, approximate within 1e-09")
-        self.assertEqual(judge.statement("conforms", [one, one], 1e-9), "conforms to 1.1, points + U2, exact")
+                         "is perturbed under 1.2, points of index 0, 1, 3 + S2, approximate within 1e-09")
+        self.assertEqual(judge.statement("conforms", [one, one], 1e-9), "conforms to 1.2, points + U2, exact")
         parts = {"points": True, "U2": False, "S2": False, "orbits": None}
         some = [{"parts": parts, "indices": indices, "exact": True} for indices in ({0, 1}, {2, 3})]
         self.assertIsNone(judge.statement("conforms", some, 1e-9))
         orbits = {**some[0], "parts": {**parts, "points": False, "orbits": True}}
-        self.assertEqual(judge.statement("conforms", [orbits], 1e-9), "conforms to 1.1, orbits, exact")
+        self.assertEqual(judge.statement("conforms", [orbits], 1e-9), "conforms to 1.2, orbits, exact")
         self.assertIsNone(judge.statement("conforms", [], 1e-9))
         outcome = {"outcome": "conforms", "profile": one}
         for total, number in [(1, "1 vectors"), (2000, "1 of 2,000 vectors")]:
             said = judge.statement_of_all({"a": outcome}, SimpleNamespace(total=total), 1e-9)
-            self.assertEqual(said, f"conforms to 1.1, points + U2, exact ({number})")
-        self.assertEqual(judge.statement("fails", [], 1e-9), "does not conform to 1.1")
+            self.assertEqual(said, f"conforms to 1.2, points + U2, exact ({number})")
+        self.assertEqual(judge.statement("fails", [], 1e-9), "does not conform to 1.2")
 
 
 class Matching(unittest.TestCase):
@@ -1129,7 +1129,7 @@ class Runs(unittest.TestCase):
         self.assertIn(f"skipped: {starts} cases\n", text)
         self.assertIn("judged: 3 claims on level 1, 3 claims on level 2, 3 claims on level 3, 3 claims on level 4\n",
                       text)
-        self.assertTrue(text.endswith(f"conforms to 1.1, points + U2 + S2, exact ({asked} of {total} vectors)\n"), text)
+        self.assertTrue(text.endswith(f"conforms to 1.2, points + U2 + S2, exact ({asked} of {total} vectors)\n"), text)
         self.assertRegex(text, r"(?m)^  group critical-points: +2 conforms$")
         self.assertNotIn("not decided", text)
         self.assertTrue(text.startswith("  flag "), text)
@@ -1142,7 +1142,7 @@ class Runs(unittest.TestCase):
         self.assertIn("level 3: missing [FC-CLAIM-03]: the contact set [0]", text)
         asked = sum(case.get("refused") != "start" for case in self.cases)
         self.assertIn(f"\nand {asked - 1} more\n", text)
-        self.assertIn("does not conform to 1.1", text)
+        self.assertIn("does not conform to 1.2", text)
         self.assertEqual(text.count("level 3: "), 3)
         self.assertNotIn("more\n", self.run_judge("--against", "echo '# nothing'", "--most", asked)[1])
 
@@ -1161,6 +1161,8 @@ class Runs(unittest.TestCase):
             status, text = self.run_judge(*case, command)
             self.assertEqual(json.loads(text)["cases"][0]["outcome"], outcome, command)
             self.assertEqual(status, outcome != "properly refused")
+        told = json.loads(self.run_judge(*case, "exit 1")[1])
+        self.assertEqual((told["format"], told["format_version"]), ("flowcert-judge", 1))
         status, text = self.run_judge("--case", "critical-points-0002", "--against", "echo because >&2; exit 3")
         self.assertIn("critical-points-0002 (an acute triangle): refused: exit status 3: because\n", text)
 
@@ -1168,15 +1170,15 @@ class Runs(unittest.TestCase):
         self.claim.write_text("\n".join(Text.RIGHT))
         status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim)
         self.assertEqual(status, 0)
-        self.assertIn("conforms to 1.1, points, approximate within 1e-09 (1 of ", text)
+        self.assertIn("conforms to 1.2, points, approximate within 1e-09 (1 of ", text)
         status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim, "--tolerance", "1e-3")
         self.assertEqual(status, 0)
         self.assertTrue(text.endswith("no statement: the tolerance 0.001 is above 1e-06 (FC-CLAIM-23)\n"), text)
         status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim, "--tolerance", "1e-3",
-                                      "--levels", 2)
+                                      "--highest-level", 2)
         self.assertNotIn("statement", text)
         status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim, "--tolerance", "1e-6",
-                                      "--levels", 4)
+                                      "--highest-level", 4)
         self.assertIn("approximate within 1e-06 (1 of ", text)
         self.assertEqual(signal.getsignal(signal.SIGPIPE), signal.SIG_DFL)
         status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim, "--tolerance", "0")
@@ -1188,26 +1190,26 @@ class Runs(unittest.TestCase):
         status, text = self.run_judge("--case", "critical-points-0002", "--claim", self.claim, "--tolerance", "1e-3")
         self.assertEqual(status, 1)
         self.assertIn("  level 2: wrong-position [FC-CRIT-01]: line 7\n", text)
-        self.assertTrue(text.endswith("does not conform to 1.1 (1 of 14 vectors)\n"), text)
+        self.assertTrue(text.endswith("does not conform to 1.2 (1 of 14 vectors)\n"), text)
 
     def test_what_is_not_decided_is_printed(self):
         self.claim.write_text(text_of(HEADER[:-1] + ', "indices": [3]}', {"index": 3, "contact": [0, 1, 2, 3]}))
         status, text = run_main("--case", "cospherical-clusters-0001", "--claim", self.claim)
         self.assertEqual(status, 0)
         self.assertRegex(text, r"(?m)^judged: 1 claims on level 1, .*, 0 claims on level 4\nnot decided: 1 cases\n"
-                         r"\n1 cases: 0 conform, 0 where determined, 1 perturbed, 0 negative\nis perturbed under 1.1")
+                         r"\n1 cases: 0 conform, 0 where determined, 1 perturbed, 0 negative\nis perturbed under 1.2")
 
     def test_what_is_not_said_otherwise(self):
         options = judge.parser_of_options().parse_args([])
         self.assertEqual(vars(options), {
             "against": None, "orbits_against": None, "claim": None, "vectors": str(judge.HERE / "vectors"), "group": [],
-            "flag": [], "case": [], "tolerance": 1e-9, "levels": 4, "time_limit": 10, "most": 10, "hex": False,
+            "flag": [], "case": [], "tolerance": 1e-9, "highest_level": 4, "time_limit": 10, "most": 10, "hex": False,
             "json": False})
 
     def test_what_cannot_be_used(self):
         self.claim.write_text("\n".join(Text.RIGHT))
         for words in [[], ["--against", "true", "--claim", self.claim], ["--against", "true", "--tolerance", "0.0011"],
-                      ["--against", "true", "--tolerance", "-1"], ["--against", "true", "--levels", "5"],
+                      ["--against", "true", "--tolerance", "-1"], ["--against", "true", "--highest-level", "5"],
                       ["--claim", self.claim],
                       ["--group", "none", "--against", "true"],
                       ["--case", "invalid-input-0001", "--claim", self.claim], ["--against", "no-such-program"],
@@ -1239,7 +1241,7 @@ class Runs(unittest.TestCase):
         status, text = self.run_judge(*words, right)
         self.assertEqual(status, 0, text)
         self.assertIn(f"judged: {len(orbits)} orbits\n", text)
-        self.assertIn("conforms to 1.1, points + orbits, exact (1 of ", text)
+        self.assertIn("conforms to 1.2, points + orbits, exact (1 of ", text)
         for command, outcome in [("echo {start}", "unreadable"), ("exit 4 || {start}", "refused"),
                                  ("test {start} = 1,0,0 || exit 139", "crashed"),
                                  ('echo {start} >/dev/null; echo \'{"segments": [], "limit": {"kind": "infinity"}}\'',
@@ -1247,7 +1249,7 @@ class Runs(unittest.TestCase):
             status, text = self.run_judge(*words, command, "--json")
             found = json.loads(text)
             self.assertEqual((status, found["cases"][0]["outcome"]), (1, outcome), command)
-            self.assertEqual(found["statement"], "does not conform to 1.1 (1 of 14 vectors)")
+            self.assertEqual(found["statement"], "does not conform to 1.2 (1 of 14 vectors)")
         flow, true, (segments, _) = Orbits().beyond(*Orbits.BEYOND[0])
         start = ",".join(Orbits.BEYOND[0][1])
         index = next(k for k, one in enumerate(orbits) if ",".join(one["start"]) == start)

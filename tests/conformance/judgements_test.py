@@ -91,7 +91,8 @@ def sorted_findings(findings):
 
 
 def by_check(points, claim, levels):
-    run = subprocess.run([FLOWCERT, "check", points, claim, "--levels", str(levels), "--json"], capture_output=True)
+    order = [FLOWCERT, "check", points, claim, "--highest-level", str(levels), "--json"]
+    run = subprocess.run(order, capture_output=True)
     if run.returncode == 2:
         return "unreadable", [], None
     report = json.loads(run.stdout)
@@ -100,14 +101,14 @@ def by_check(points, claim, levels):
 
 def by_conformance(case, pairs, no_point, vectors):
     copies = [f"test -f {{in}} && cp {shlex.quote(str(path))} {{out}}" for path in (no_point, pairs)]
-    order = [FLOWCERT, "conformance", "--vectors", vectors, "--case", case, "--levels", "1", "--json"]
+    order = [FLOWCERT, "conformance", "--vectors", vectors, "--case", case, "--highest-level", "1", "--json"]
     run = subprocess.run([*order, "--against", copies[0], "--persistence-against", copies[1]], capture_output=True)
     outcome = json.loads(run.stdout)["cases"][0]
     return outcome["outcome"], sorted([one["reason"]] for one in outcome["persistence_findings"])
 
 
 def by_judge(case, claim, levels, vectors):
-    order = [sys.executable, SPEC / "judge.py", "--vectors", vectors, "--levels", str(levels), "--json"]
+    order = [sys.executable, SPEC / "judge.py", "--vectors", vectors, "--highest-level", str(levels), "--json"]
     run = subprocess.run([*order, "--case", case, "--claim", claim], capture_output=True)
     report = json.loads(run.stdout)
     outcome, statement = report["cases"][0], report["statement"]

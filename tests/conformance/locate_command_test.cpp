@@ -33,7 +33,7 @@ TEST(LocateCommand, AnswersALineForEachPosition) {
   const std::string positions =
       scratch.file("positions.xyz",
                    "0.25 0.25 0.25\n0 0 0\n0.5 0 0\n0.5 0.25 0\n0.5 0.5 0.5\n2 0.75 0.75\n2 0.5 0.5\n0.25 0.25 0.25\n");
-  const Finished done = flowcert({"locate", cube, "--points", positions});
+  const Finished done = flowcert({"locate", cube, "--positions", positions});
   EXPECT_EQ(done.status, 0) << done.err;
   EXPECT_EQ(lines_without_comments(done.out),
             (Words{"3 0,1,2,3,4,5,6,7 0", "0 0 0", "1 0,1 0,1", "2 0,1,2,3 0,1", "3 0,1,2,3,4,5,6,7 0,1,2,3,4,5,6,7",
@@ -51,7 +51,7 @@ TEST(LocateCommand, SaysWhereOrbitsEnd) {
     std::string rows;
     for (const std::string& position : positions) rows += position + '\n';
     const Finished located =
-        flowcert({"locate", points, "--points", scratch.file("positions.csv", rows), "--json", "--threads", "2"});
+        flowcert({"locate", points, "--positions", scratch.file("positions.csv", rows), "--json", "--threads", "2"});
     ASSERT_EQ(located.status, 0) << located.err;
     const Words lines = lines_of(located.out);
     ASSERT_EQ(lines.size(), positions.size() + 1);
@@ -70,7 +70,7 @@ TEST(LocateCommand, SaysWhereOrbitsEnd) {
 TEST(LocateCommand, WritesAFileAndASummary) {
   const Scratch scratch;
   const std::string cube = scratch.file("cube.xyz", kCube), out = scratch.path("places.txt");
-  const Finished done = flowcert({"locate", cube, "--points", scratch.file("q.xyz", "0.5 0.25 0\n"), "-o", out});
+  const Finished done = flowcert({"locate", cube, "--positions", scratch.file("q.xyz", "0.5 0.25 0\n"), "-o", out});
   EXPECT_EQ(done.status, 0) << done.err;
   EXPECT_NE(done.out.find("positions"), std::string::npos) << done.out;
   EXPECT_EQ(lines_without_comments(content_of(out)), Words{"2 0,1,2,3 0,1"});
@@ -86,10 +86,10 @@ TEST(LocateCommand, RefusesWhatItCannotUse) {
     EXPECT_EQ(lines_of(done.err).size(), 1U) << done.err;
     EXPECT_NE(done.err.find(reason), std::string::npos) << done.err;
   };
-  refuses({"locate", empty, "--points", cube}, "there are no points");
-  refuses({"locate", cube, "--points", scratch.file("bad.xyz", "0 0 0\n1 x 2\n")}, "bad.xyz:2");
-  refuses({"locate", "-", "--points", "-"}, "standard input");
-  const Finished none = flowcert({"locate", cube, "--points", empty});
+  refuses({"locate", empty, "--positions", cube}, "there are no points");
+  refuses({"locate", cube, "--positions", scratch.file("bad.xyz", "0 0 0\n1 x 2\n")}, "bad.xyz:2");
+  refuses({"locate", "-", "--positions", "-"}, "standard input");
+  const Finished none = flowcert({"locate", cube, "--positions", empty});
   EXPECT_EQ(none.status, 0) << none.err;
   EXPECT_TRUE(lines_without_comments(none.out).empty());
 }

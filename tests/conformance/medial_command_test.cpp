@@ -2,7 +2,9 @@
 // refuses.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -35,6 +37,10 @@ TEST(MedialCommand, ChoosesByAngleAndPersistence) {
     const Finished done = flowcert(options);
     EXPECT_EQ(done.status, 0) << done.err;
     const ordered_json json = ordered_json::parse(done.out);
+    for (const char* key : {"persistence", "radius", "angle"}) {
+      const auto given = std::ranges::find(options, std::string("--") + key);
+      EXPECT_EQ(json.at(key), given == options.end() ? ordered_json() : ordered_json(*std::next(given)));
+    }
     return std::pair(count_of(json, 1), count_of(json, 2));
   };
   using Counts = std::pair<std::size_t, std::size_t>;

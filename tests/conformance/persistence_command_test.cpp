@@ -175,7 +175,7 @@ TEST(PersistenceText, TheSeedOfTiesDoesNotShow) {
   }
   const ordered_json json = json_of(scratch.file("points.xyz", kNoComplex), {"--seed-ties", "9"});
   EXPECT_EQ(json["seed"], 9);
-  EXPECT_GT(json["ties_broken"]["u2"].get<int>() + json["ties_broken"]["s2"].get<int>(), 0);
+  EXPECT_EQ(json["ties_broken"], 1);
 }
 
 TEST(PersistenceFile, HasTheTextAndLeavesATable) {
@@ -291,19 +291,16 @@ TEST(PersistenceJson, HasTheKeysOfTheFormatInTheirOrder) {
   const Scratch scratch;
   const std::string path = scratch.file("points.xyz", kTetrahedron);
   const ordered_json json = json_of(path);
-  EXPECT_EQ(keys_of(json),
-            (Words{"format", "format_version", "version", "commit", "kernel", "compiler", "cgal", "input_sha256",
-                   "points", "merged_duplicates", "critical", "regular_stationary", "counts", "ties_broken", "seed",
-                   "seconds", "ratio_to_delaunay", "has_zero", "pairs"}));
+  EXPECT_EQ(keys_of(json), (Words{"format", "format_version", "version", "commit", "kernel", "compiler", "cgal",
+                                  "input_sha256", "points", "merged_duplicates", "critical", "regular_stationary",
+                                  "counts", "ties_broken", "seed", "has_zero", "pairs"}));
   EXPECT_EQ(json["format"], "flowcert-persistence");
   EXPECT_EQ(json["format_version"], 1);
   EXPECT_EQ(json["critical"], ordered_json({4, 6, 4, 1}));
   EXPECT_EQ(json["counts"], ordered_json::parse(R"([{"positive": 3, "zero": 0, "lasting": 1},
     {"positive": 3, "zero": 0, "lasting": 0}, {"positive": 1, "zero": 0, "lasting": 0}])"));
-  EXPECT_EQ(json["ties_broken"], ordered_json::parse(R"({"u2": 0, "s2": 0})"));
+  EXPECT_EQ(json["ties_broken"], 0);
   EXPECT_EQ(json["seed"], 0);
-  EXPECT_EQ(keys_of(json["seconds"]), (Words{"delaunay", "critical", "u2", "s2", "pairs"}));
-  EXPECT_EQ(keys_of(json["ratio_to_delaunay"]), (Words{"critical", "u2", "s2", "pairs", "all"}));
   EXPECT_EQ(json["has_zero"], false);
   const ordered_json& last = json["pairs"].back();
   EXPECT_EQ(last["dimension"], 2);
@@ -334,8 +331,6 @@ TEST(PersistenceJson, CountsAreThoseOfThePairs) {
       count = count.get<int>() + 1;
     }
     EXPECT_EQ(json["counts"], counts);
-    const bool is_small = json["points"].get<int>() < 4;
-    for (const ordered_json& ratio : json["ratio_to_delaunay"]) EXPECT_EQ(ratio.is_null(), is_small);
   }
 }
 

@@ -68,7 +68,7 @@ class Pipe {
   static Words run_of(const Words& generate) {
     Words run;
     for (std::size_t k = 0; k < generate.size(); ++k) {
-      if (generate[k] == "--only")
+      if (generate[k] == "--case")
         ++k;
       else if (generate[k] != "--hex")
         run.push_back(generate[k]);

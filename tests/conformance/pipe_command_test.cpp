@@ -32,7 +32,7 @@ TEST(Verify, RightAnswersOfEveryFamilyConform) {
     EXPECT_EQ(report["verdict"], "conforms");
     EXPECT_EQ(report["cases"], 500);
     const bool is_decimal = std::string(form) == "decimals";
-    EXPECT_EQ(report["profile"]["statement"], std::string("conforms to 1.1, points, ") +
+    EXPECT_EQ(report["profile"]["statement"], std::string("conforms to 1.2, points, ") +
                                                   (is_decimal ? "approximate within 1e-09" : "exact") +
                                                   " (500 drawn inputs)");
     EXPECT_EQ(report["failures"], json::array());
@@ -89,7 +89,7 @@ TEST(Verify, TakesGiesenKuehneAndHexadecimalInput) {
   const Words run = {"--family", "general-position", "--family", "mixed-magnitudes", "--cases", "60"};
   EXPECT_EQ(Pipe(joined(run, {"--hex"})).as_json()["verdict"], "conforms");
   const Pipe pipe({"--family", "general-position", "--cases", "60"}, {"giesen-kuehne"});
-  EXPECT_EQ(pipe.as_json({"--levels", "3"})["verdict"], "conforms");
+  EXPECT_EQ(pipe.as_json({"--highest-level", "3"})["verdict"], "conforms");
   EXPECT_EQ(pipe.as_json()["verdict"], "fails") << "that format claims incidences, and they are left out";
 }
 
@@ -145,7 +145,7 @@ TEST(Verify, ReportsToPeople) {
       << text.out;
   EXPECT_TRUE(contains(text.out, "\ncase " + ids[3] + " (lattice-4) fails on level 3\n  answer: wrong, level 3: "))
       << text.out;
-  const std::string its_points = "generate --level 1 --seed 7 --cases 80 --only 3 --xyz";
+  const std::string its_points = "generate --level 1 --seed 7 --cases 80 --case 3 --xyz";
   EXPECT_TRUE(contains(text.out, "  its points: flowcert " + its_points + "\n")) << text.out;
   // What is wrong, in plain words, and why.
   EXPECT_TRUE(contains(text.out, "\n    You missed ")) << text.out;
@@ -230,14 +230,14 @@ TEST(Verify, AReasonNeverReachesATerminalRaw) {
 
 // Eight megabytes of wrong lines take little more than that: 400 MB of address space are enough.
 TEST(Verify, AnEndlessAnswerTakesNoMemory) {
-  const std::string head = generated({"--only", "3"});
+  const std::string head = generated({"--case", "3"});
   const Words words = lines_of(cases_of(head).at(0));
   const std::string id = words[0].substr(5, words[0].find(' ', 5) - 5);
   const Scratch scratch;
   std::string answer = "answer " + id + "\n";
   while (answer.size() < 8'000'000) answer += "2,0.5,0.25,0,1,0,1\n";
   const std::string file = scratch.file("answers", answer + "end\n");
-  RunningProgram program({"/bin/sh", "-c", "ulimit -v 400000; exec \"$0\" verify --only 3", FLOWCERT_PROGRAM},
+  RunningProgram program({"/bin/sh", "-c", "ulimit -v 400000; exec \"$0\" verify --case 3", FLOWCERT_PROGRAM},
                          {file, ""});
   const Finished finished = program.finish();
   EXPECT_EQ(finished.status, 1) << finished.err;
@@ -292,15 +292,15 @@ TEST(Verify, NamesTheUnanswered) {
 
 TEST(Verify, OnlyOneCase) {
   CITES("FC-CLAIM-03");
-  const Pipe pipe({"--seed", "7", "--only", "12"});
+  const Pipe pipe({"--seed", "7", "--case", "12"});
   EXPECT_EQ(pipe.as_json()["unanswered_numbers"], json({{0, 11}, {13, 499}}));
-  const json report = pipe.as_json({"--only", "12"});
+  const json report = pipe.as_json({"--case", "12"});
   EXPECT_EQ(report["verdict"], "conforms");
   EXPECT_EQ(report["cases"], 1);
   EXPECT_EQ(report["families"].size(), 1U);
-  const Finished other = pipe.verify({"--only", "13"});
+  const Finished other = pipe.verify({"--case", "13"});
   EXPECT_EQ(other.status, 2);
-  EXPECT_TRUE(contains(other.err, "standard input:3: not the case that --only names: '")) << other.err;
+  EXPECT_TRUE(contains(other.err, "standard input:3: not the case that --case names: '")) << other.err;
 }
 
 // ---- Which cases were asked ----
@@ -364,7 +364,7 @@ TEST(Verify, AFileOfGenerateSaysWhatIsAsked) {
   EXPECT_TRUE(contains(refused.err, "not among the cases that are asked: '")) << refused.err;
   std::string answers;
   for (const std::size_t number : {std::size_t{2}, std::size_t{7}}) {
-    answers += Pipe({"--cases", "20", "--only", std::to_string(number)}).answers();
+    answers += Pipe({"--cases", "20", "--case", std::to_string(number)}).answers();
   }
   const json report = json::parse(all.verify_text(answers, {"--json", "--asked", asked}).out);
   EXPECT_EQ(report["cases"], 3);
@@ -527,7 +527,7 @@ TEST(Verify, StatesDecimalsWithASmallToleranceAlone) {
   const Words run = {"--family", "general-position", "--cases", "20"};
   const Pipe decimals(run, {"decimals"});
   EXPECT_EQ(decimals.as_json({"--tolerance", "1e-6"})["profile"]["statement"],
-            "conforms to 1.1, points, approximate within 1e-06 (20 drawn inputs)");
+            "conforms to 1.2, points, approximate within 1e-06 (20 drawn inputs)");
   const std::string path = decimals.scratch().path("report.xml");
   const Finished text = decimals.verify({"--tolerance", "1e-5", "--junit", path});
   EXPECT_EQ(text.status, 0);
@@ -539,7 +539,7 @@ TEST(Verify, StatesDecimalsWithASmallToleranceAlone) {
   EXPECT_TRUE(none["profile"]["statement"].is_null()) << none["profile"];
   EXPECT_EQ(none["verdict"], "conforms");
   EXPECT_EQ(Pipe(run, {"csv"}).as_json({"--tolerance", "1e-5"})["profile"]["statement"],
-            "conforms to 1.1, points, exact (20 drawn inputs)");
+            "conforms to 1.2, points, exact (20 drawn inputs)");
 }
 
 // ---- The README ----

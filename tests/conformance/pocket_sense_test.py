@@ -171,7 +171,7 @@ def check_positions(flowcert, source, folder, told, atoms, distance, checks):
     queries = os.path.join(folder, "queries.xyz")
     with open(queries, "w", encoding="ascii") as file:
         file.write(xyz_text(positions))
-    lines = run(flowcert, "locate", source, "--points", queries, "--json").splitlines()[1:]
+    lines = run(flowcert, "locate", source, "--positions", queries, "--json").splitlines()[1:]
     pocket_of = {tuple(part["contact"]): number for number, pocket in enumerate(told["pockets"])
                  for part in pocket["cell"]}
     hits = [0] * len(told["pockets"])

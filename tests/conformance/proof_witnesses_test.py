@@ -186,6 +186,9 @@ class WitnessTest(proof_py_test.ProofTest):
         scan = self.scan(proof_py_test.SQUARE)
         for arguments in ((), (scan,), (scan, scan, scan, scan), (scan, scan, "--pairs"), (scan, scan, "-x")):
             self.keep(arguments, {2}, "usage: ")
+        self.keep(("--help",), {0}, "usage: ", "--pairs P", "--version", "Exit status: 0")
+        self.keep(("--version",), {0}, "flowcert-proof ")
+        self.keep(("--help",), {2}, FULL)
         out = str(self.folder / "out.fcert")
         self.expect(self.of_cells(proof_py_test.SQUARE, proof_py_test.HALVES, "--from-cells", out), 0)
         self.keep((scan, out), {2}, FULL)
@@ -254,7 +257,7 @@ class WitnessTest(proof_py_test.ProofTest):
         kept = ("version", "commit", "kernel", "compiler", "cgal", "input_sha256", "points", "merged_duplicates",
                 "critical", "regular_stationary")
         header = {"format": "flowcert-persistence", "format_version": 1, **{key: head[key] for key in kept},
-                  "seconds": {"delaunay": [0.5, {"all": None}]}, "has_zero": False}
+                  "counts": {"positive": [0.5, {"zero": None}]}, "has_zero": False}
         first, count = pairs[0], len(pairs)
 
         def forged(end="birth", **fields):

@@ -175,7 +175,7 @@ TEST(CheckDiagrams, MissingAndSpuriousPairs) {
   EXPECT_EQ(report["findings"][1]["line"], 4);
   EXPECT_TRUE(report["findings"][1]["truth"].is_null());
   EXPECT_NE(content_of(scratch.path("report.xml")).find("failures=\"1\""), std::string::npos);
-  EXPECT_EQ(flowcert({"check", points, claim, "--levels", "2"}).status, 2);
+  EXPECT_EQ(flowcert({"check", points, claim, "--highest-level", "2"}).status, 2);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ TEST(Verify, CasesOfMorePointsAreNotAsked) {
   EXPECT_EQ(report["cases"], asked);
   EXPECT_EQ(report["run"], "flowcert generate --level 1 --seed 7 --cases 60 --most-points 5");
   EXPECT_EQ(report["profile"]["statement"],
-            "conforms to 1.1, points, exact (" + std::to_string(asked) + " drawn inputs of at most 5 points)");
+            "conforms to 1.2, points, exact (" + std::to_string(asked) + " drawn inputs of at most 5 points)");
   // The answers say so as well, and the file of generate.
   EXPECT_TRUE(contains(pipe.verify_text(pipe.answers()).out,
                        "\nright in what came: " + std::to_string(asked) + " cases; truth by"));
@@ -37,7 +37,7 @@ TEST(Verify, CasesOfMorePointsAreNotAsked) {
   }
   std::size_t large = 0;
   while (lines_of(cases_of(generated(run)).at(large)).size() <= 6) ++large;
-  const Finished only = pipe.verify({"--only", std::to_string(large)});
+  const Finished only = pipe.verify({"--case", std::to_string(large)});
   EXPECT_EQ(only.status, 2);
   EXPECT_TRUE(contains(only.err, "has more points than --most-points says")) << only.err;
 }

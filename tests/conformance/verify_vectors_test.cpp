@@ -100,8 +100,8 @@ TEST(VerifyVectors, AFaultIsFoundInItsVector) {
   EXPECT_EQ(report["unanswered_numbers"], json({{20, 20}}));
   EXPECT_EQ(report["failures"][0]["family"], "flat-inputs");
   const std::string again = report["failures"][0]["points"];
-  EXPECT_TRUE(again.starts_with("flowcert generate --vectors ") && again.ends_with(" --only 3 --xyz")) << again;
-  EXPECT_EQ(cases_of(generated({"--vectors", few.folder(), "--only", "3"})).front(), cases_of(pipe.cases())[3]);
+  EXPECT_TRUE(again.starts_with("flowcert generate --vectors ") && again.ends_with(" --case 3 --xyz")) << again;
+  EXPECT_EQ(cases_of(generated({"--vectors", few.folder(), "--case", "3"})).front(), cases_of(pipe.cases())[3]);
   const std::string folder = pipe.scratch().path("kept");
   (void)pipe.verify({"--keep", folder});
   EXPECT_EQ(flowcert({"check", folder + "/flat-inputs-0004.xyz", folder + "/flat-inputs-0004.claim"}).status, 1);
@@ -186,7 +186,7 @@ TEST(VerifyVectors, OtherVectorsThanThoseThatWereAskedAreRefused) {
           "a case of another run: 'vector:");
   refuses(flowcert({"generate", "--vectors", "--seed", "2"}), "--seed");
   refuses(flowcert({"generate", "--vectors", few.folder() + "/flags.json"}), "--vectors");
-  refuses(flowcert({"generate", "--vectors", few.folder(), "--only", "30"}), "--only: the run has 30 cases, 0 to 29");
+  refuses(flowcert({"generate", "--vectors", few.folder(), "--case", "30"}), "--case: the run has 30 cases, 0 to 29");
 }
 
 }  // namespace

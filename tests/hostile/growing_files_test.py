@@ -83,7 +83,7 @@ def main():
         for words in (
             ["compute", "points.gz"],
             ["compute", "twice.gz"],
-            ["locate", "points.gz", "--points", "cube.xyz"],
+            ["locate", "points.gz", "--positions", "cube.xyz"],
             ["check", "cube.xyz", "claim.gz"],
             ["check", "points.gz", "claim.gz"],
             ["check", "cube.xyz", "pairs.gz"],

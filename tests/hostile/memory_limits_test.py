@@ -35,7 +35,7 @@ def commands():
         ("view", ["view", "points.xyz", "-o", "out.html"], ["out.html"]),
         ("explain", ["explain", "points.xyz", "--ids", "0,1"], []),
         ("orbit", ["orbit", "points.xyz", "--from", "0.3,0.2,0.1"], []),
-        ("locate", ["locate", "points.xyz", "--points", "few.xyz"], []),
+        ("locate", ["locate", "points.xyz", "--positions", "few.xyz"], []),
         ("check", ["check", "points.xyz", "claim.jsonl"], []),
         ("check pairs", ["check", "points.xyz", "pairs.txt"], []),
         ("generate", ["generate", "--level", "1", "--cases", "300"], []),

@@ -181,7 +181,7 @@ STARTS = [(0.5, 0.25, 1), (Fraction(1, 3), 0, -2), (1, 1, 0), (0.1, 1e-300, 7)]
 @pytest.mark.parametrize("name", ["cube", "right-angles", "repeated", "scan", "sphere-scan", "lattice-3"])
 def test_orbit(name, start, xyz):
     fc = flowcert.FlowComplex(INPUTS[name])
-    orbit = fc.orbit(start)
+    orbit = fc.orbit(start=start)
     words = ",".join(f"{Fraction(x).numerator}/{Fraction(x).denominator}" for x in start)
     answer = json.loads(flowcert_says("orbit", xyz(INPUTS[name]), f"--from={words}", "--json"))
     assert orbit.start == ratios(answer["start"]) == tuple(map(Fraction, start))
@@ -217,15 +217,15 @@ def test_any_number_is_a_coordinate_of_a_start():
     ):
         assert fc.orbit(start) == expected
     for start, message in [
-        ([0, 0], "x must be three numbers, not 2"),
-        (1, "x must be three numbers"),
-        ([0, 0, math.nan], "x has a coordinate that is not a finite number"),
-        ([0, -math.inf, 0], "x has a coordinate that is not a finite number"),
-        ([0, 0, Decimal("inf")], "x has a coordinate that is not a finite number"),
-        ([0, 0, Decimal("nan")], "x has a coordinate that is not a finite number"),
-        ([0, 0, np.longdouble("inf")], "x has a coordinate that is not a finite number"),
-        ([0, 0, None], "x must be numbers, not None"),
-        ("123", "x must be numbers; for '1' write Fraction('1') or a float"),
+        ([0, 0], "start must be three numbers, not 2"),
+        (1, "start must be three numbers"),
+        ([0, 0, math.nan], "start has a coordinate that is not a finite number"),
+        ([0, -math.inf, 0], "start has a coordinate that is not a finite number"),
+        ([0, 0, Decimal("inf")], "start has a coordinate that is not a finite number"),
+        ([0, 0, Decimal("nan")], "start has a coordinate that is not a finite number"),
+        ([0, 0, np.longdouble("inf")], "start has a coordinate that is not a finite number"),
+        ([0, 0, None], "start must be numbers, not None"),
+        ("123", "start must be numbers; for '1' write Fraction('1') or a float"),
     ]:
         with pytest.raises(ValueError) as refused:
             fc.orbit(start)
@@ -236,7 +236,7 @@ def test_any_number_is_a_coordinate_of_a_start():
 @pytest.mark.parametrize("family", flowcert.families())
 def test_generate(family, level, tmp_path):
     points = flowcert.generate(family, 7, level=level, case=3)
-    words = ["--family", family, "--seed", "7", "--level", level, "--only", "3", "--hex", "--xyz"]
+    words = ["--family", family, "--seed", "7", "--level", level, "--case", "3", "--hex", "--xyz"]
     path = tmp_path / "case.xyz"
     path.write_text(flowcert_says("generate", *words))
     expected = flowcert.read_points(path)

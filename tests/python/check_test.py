@@ -40,12 +40,13 @@ def wrong_claims(path):
     yield "decimals", ["0 0 0 0 0 0", "0 6 0 0 0 1", "0 2 4 0 0 2", "1 3 0 0.000000001", "2 3 1 0 9.99"]
 
 
-@pytest.mark.parametrize("options", [{}, {"levels": 2}, {"indices": [1, 2]}, {"tolerance": 1e-6}, {"tolerance": 1e-3}],
-                         ids=str)
+@pytest.mark.parametrize(
+    "options", [{}, {"highest_level": 2}, {"indices": [1, 2]}, {"tolerance": 1e-6}, {"tolerance": 1e-3}], ids=str
+)
 def test_reports_are_those_of_the_program(options, xyz, tmp_path):
     words = []
     for name, value in options.items():
-        words += [f"--{name}", ",".join(map(str, value)) if isinstance(value, list) else str(value)]
+        words += ["--" + name.replace("_", "-"), ",".join(map(str, value)) if isinstance(value, list) else str(value)]
     verdicts = set()
     for name, lines in wrong_claims(xyz(TRIANGLE)):
         path = tmp_path / "claim.txt"
@@ -72,13 +73,13 @@ def test_reports_are_those_of_the_program(options, xyz, tmp_path):
 def test_statements_of_decimals_name_the_tolerance():
     points, claim = [[0, 0, 0], [2, 0, 0]], [{"index": 0, "contact": [0]}, {"index": 0, "contact": [1]}]
     near, exact = [*claim, {"index": 1, "position": [1.0, 0, 0]}], [*claim, {"index": 1, "position": [1, 0, 0]}]
-    assert flowcert.check(points, near).statement == "conforms to 1.1, points, approximate within 1e-09"
-    assert flowcert.check(points, near, tolerance=1e-6).statement == "conforms to 1.1, points, approximate within 1e-06"
+    assert flowcert.check(points, near).statement == "conforms to 1.2, points, approximate within 1e-09"
+    assert flowcert.check(points, near, tolerance=1e-6).statement == "conforms to 1.2, points, approximate within 1e-06"
     for tolerance in (1.0000000000000002e-6, 1e-3):
         report = flowcert.check(points, near, tolerance=tolerance)
         assert report.verdict == "conforms" and report.statement is None
-    assert flowcert.check(points, exact, tolerance=1e-3).statement == "conforms to 1.1, points, exact"
-    assert flowcert.check(points, claim, tolerance=1e-3).statement == "does not conform to 1.1"
+    assert flowcert.check(points, exact, tolerance=1e-3).statement == "conforms to 1.2, points, exact"
+    assert flowcert.check(points, claim, tolerance=1e-3).statement == "does not conform to 1.2"
 
 
 def test_files_open_files_and_their_content(xyz, tmp_path):
@@ -184,7 +185,7 @@ def test_what_is_no_claim_is_refused(claim, message):
     "name, values, message",
     [
         ("tolerance", [-1, 0.1, float("nan"), 10**400, None, [1], "a"], "tolerance must be from 0 to 0.001"),
-        ("levels", [0, 6, 10**20, 2.9, None, "2"], "levels must be an integer from 1 to 5"),
+        ("highest_level", [0, 6, 10**20, 2.9, None, "2"], "highest_level must be an integer from 1 to 5"),
         ("indices", [[4], [-1], [10**20], [1.5], [None], 5, None, "12"], "indices must be integers from 0 to 3"),
         ("threads", [0, -5, 1025], "threads must be from 1 to 1024"),
     ],

@@ -164,7 +164,7 @@ def test_of_the_module(tmp_path):
         "pores": pores,
         "generate": lambda: [flowcert.generate(family, case=3) for family in sorted(flowcert.families())],
         "families": lambda: flowcert.families(),
-        "check": lambda: flowcert.check(TINY, claim, tolerance=1e-9, levels=2, indices=[0]),
+        "check": lambda: flowcert.check(TINY, claim, tolerance=1e-9, highest_level=2, indices=[0]),
         "FlowComplex": lambda: flowcert.FlowComplex(fractions).points,
         "represents": lambda: flowcert.represents(loops, loops[0].pair),
     }

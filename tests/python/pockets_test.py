@@ -66,7 +66,7 @@ def test_locations_are_the_ends_of_orbits(points, seed):
     random = np.random.default_rng(seed)
     middles = (points[random.integers(len(points), size=4)] + points[random.integers(len(points), size=4)]) / 2
     queries = np.concatenate([points[:2], middles, 2 * middles])
-    limits, nearest, tied = fc.locate(queries)
+    limits, nearest, tied = fc.locate(positions=queries)
     assert limits.dtype == nearest.dtype == np.int64 and tied.dtype == bool
     for x, limit, row, is_tied in zip(queries, limits, nearest, tied):
         end = fc.orbit(x).limit

@@ -37,7 +37,7 @@ def ticks_during(work):
         lambda fc: fc.surface(),
         lambda fc: fc.unstable_lines(),
         lambda fc: fc.counts,
-        lambda fc: fc.check([], levels=2),
+        lambda fc: fc.check([], highest_level=2),
         lambda fc: fc.orbit([0.5, 0.5, 0.5]),
         lambda fc: fc.volumes,
         lambda fc: fc.connections,

@@ -42,7 +42,7 @@ TEST(Profile, NamesWhatIsToldOfAllPoints) {
   const CheckReport report = cube.check(whole);
   EXPECT_EQ(report.profile.parts(), (Words{"points", "U2", "S2", "polylines", "skeletons", "lambda-lists",
                                            "connections", "volumes", "U1", "infinity"}));
-  EXPECT_EQ(statement(report).substr(0, 33), "conforms to 1.1, points + U2 + S2") << text(report);
+  EXPECT_EQ(statement(report).substr(0, 33), "conforms to 1.2, points + U2 + S2") << text(report);
   // One point of which it is not told is enough.
   Claimed less = whole;
   less.of({0, 1, 2, 3}).successors.reset();
@@ -74,18 +74,18 @@ TEST(Profile, HasNoPartAboveTheLevelsOrOfOtherIndices) {
 TEST(Profile, SaysHowTheVerdictIs) {
   CITES("FC-CLAIM-22", "FC-CLAIM-20", "FC-CLAIM-05");
   const Truly triangle(kRightTriangle);
-  EXPECT_EQ(statement(triangle.check(triangle.claim())), "conforms to 1.1, points, exact");
+  EXPECT_EQ(statement(triangle.check(triangle.claim())), "conforms to 1.2, points, exact");
   Claimed perturbed = triangle.claim();
   perturbed.add(1, {1, 2}).add(2, {0, 1, 2});
-  EXPECT_EQ(statement(triangle.check(perturbed)), "is perturbed under 1.1, points, exact");
-  EXPECT_EQ(statement(triangle.check(Claimed())), "does not conform to 1.1");
+  EXPECT_EQ(statement(triangle.check(perturbed)), "is perturbed under 1.2, points, exact");
+  EXPECT_EQ(statement(triangle.check(Claimed())), "does not conform to 1.2");
   const Truly cube(kCube);
   Claimed part = cube.claim();
   part.of({0, 1, 2, 3}).contact = {0, 1, 2};
-  EXPECT_EQ(statement(cube.check(part)), "conforms where determined to 1.1, points, exact");
+  EXPECT_EQ(statement(cube.check(part)), "conforms where determined to 1.2, points, exact");
   Claimed near = cube.claim_without({{0, 1}});
   near.at(1, decimals({Rational(1, 2), Rational(0), Rational(0)}));
-  EXPECT_EQ(statement(cube.check(near)), "conforms to 1.1, points, approximate within 1e-09");
+  EXPECT_EQ(statement(cube.check(near)), "conforms to 1.2, points, approximate within 1e-09");
 }
 
 // With the largest tolerance there is a statement, and with the next double there is none.
@@ -98,7 +98,7 @@ TEST(Profile, StatesDecimalsWithASmallToleranceAlone) {
   const CheckReport approximate = cube.check(near, {.tolerance = 1e-3});
   EXPECT_EQ(approximate.verdict, Verdict::kConforms);
   for (const auto& [tolerance, text] : {std::pair(0.0, "0"), std::pair(2.5e-12, "2.5e-12"), std::pair(1e-6, "1e-06")}) {
-    EXPECT_EQ(statement(approximate, tolerance), std::string("conforms to 1.1, points, approximate within ") + text);
+    EXPECT_EQ(statement(approximate, tolerance), std::string("conforms to 1.2, points, approximate within ") + text);
     EXPECT_EQ(why_none(approximate, tolerance), "nothing");
   }
   for (const double tolerance : {above, 1e-3, std::numeric_limits<double>::quiet_NaN()}) {
@@ -111,12 +111,12 @@ TEST(Profile, StatesDecimalsWithASmallToleranceAlone) {
   Claimed determined = near;
   determined.of({0, 1, 2, 3}).contact = {0, 1, 2};
   EXPECT_EQ(statement(cube.check(determined), 1e-6),
-            "conforms where determined to 1.1, points, approximate within 1e-06");
+            "conforms where determined to 1.2, points, approximate within 1e-06");
   EXPECT_EQ(statement(cube.check(determined), above), "nothing");
   near.at(1, decimals({Rational(1, 2), Rational(1), Rational(0)}));
-  EXPECT_EQ(statement(cube.check(near), 1e-3), "does not conform to 1.1");
+  EXPECT_EQ(statement(cube.check(near), 1e-3), "does not conform to 1.2");
   EXPECT_EQ(why_none(cube.check(near), 1e-3), "nothing");
-  EXPECT_EQ(statement(cube.check(cube.claim(), {.tolerance = 1e-3}), 1e-3), "conforms to 1.1, points, exact");
+  EXPECT_EQ(statement(cube.check(cube.claim(), {.tolerance = 1e-3}), 1e-3), "conforms to 1.2, points, exact");
   EXPECT_EQ(why_none(cube.check(cube.claim()), 1e-3), "nothing");
   EXPECT_EQ(why_none(cube.check(determined, {.highest_level = 2}), 1e-3), "nothing");
 }
@@ -159,7 +159,7 @@ TEST(Profile, OfAProgramHasWhatNoAnswerLeavesOut) {
   pairs.set_exact(false);
   joined.join(pairs);
   EXPECT_EQ(conformity_text(Verdict::kConforms, joined, 1e-7),
-            "conforms to 1.1, points + U2 + S2 + persistence, approximate within 1e-07");
+            "conforms to 1.2, points + U2 + S2 + persistence, approximate within 1e-07");
   Profile other_way = pairs;
   other_way.join(of_cube);
   other_way.join(of_two);

@@ -30,7 +30,7 @@ const files: Uint8Array[] = [
   await complex.page({ cells: true, pockets: "auto" }),
   await complex.page({ radii: "bondi", probe: 1.4 }),
 ];
-const report: CheckReport = await complex.check(files[0], { name: "claim.jsonl", levels: 3, indices: [1, 2] });
+const report: CheckReport = await complex.check(files[0], { name: "claim.jsonl", highestLevel: 3, indices: [1, 2] });
 if (report.verdict === "fails") throw new FlowcertError(report.findings[0].sentence);
 fromBytes.delete();
 console.log(words, numbers, regular, index, contacts, centers, fractions, product, death, text, loops);

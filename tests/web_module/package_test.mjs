@@ -311,9 +311,9 @@ test("check says what check --json says", { skip }, async () => {
     }
     assert.deepEqual(plain(await complex.check(claim, { name })), json(out), name);
   }
-  const chosen = ["--levels", "3", "--indices", "1,2", "--tolerance", "1e-7"];
+  const chosen = ["--highest-level", "3", "--indices", "1,2", "--tolerance", "1e-7"];
   const words = ["check", "pyramid.xyz.gz", "right.jsonl", "--json", ...chosen];
-  const options = { name: "right.jsonl", levels: 3, indices: [1, 2], tolerance: 1e-7 };
+  const options = { name: "right.jsonl", highestLevel: 3, indices: [1, 2], tolerance: 1e-7 };
   assert.deepEqual(plain(await complex.check(records, options)), json(printed(...words)));
   complex.delete();
 

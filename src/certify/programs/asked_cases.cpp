@@ -137,7 +137,7 @@ std::vector<std::size_t> AskedCases::asked_numbers() const {
 }
 
 std::string AskedCases::generate_command(std::optional<std::size_t> number) const {
-  return "flowcert generate " + run_options() + (number ? fmt::format(" --only {}", *number) : "");
+  return "flowcert generate " + run_options() + (number ? fmt::format(" --case {}", *number) : "");
 }
 
 std::string AskedCases::points_command(std::size_t number) const { return generate_command(number) + " --xyz"; }

@@ -194,7 +194,7 @@ void Verification::begin(std::unique_ptr<AskedCases> cases) {
   if (!options_.only) {
     if (options_.asked.empty()) options_.asked = cases_->asked_numbers();
   } else if (*options_.only < cases_->size() && !cases_->asks(cases_->numbered(*options_.only))) {
-    throw InvalidInput(fmt::format("--only: case {} has more points than --most-points says", *options_.only));
+    throw InvalidInput(fmt::format("--case: case {} has more points than --most-points says", *options_.only));
   }
 }
 
@@ -311,7 +311,7 @@ void Verification::take(const Answer& answer) {
   const AskedCase one = case_of(answer);
   if (!is_expected(one.number)) {
     const char* const what =
-        options_.only ? "not the case that --only names: " : "not among the cases that are asked: ";
+        options_.only ? "not the case that --case names: " : "not among the cases that are asked: ";
     answer.place.reject(what + in_quotes(answer.id));
   }
   if (outcomes_.at(one.number) != Outcome::kUnanswered) {

@@ -12,7 +12,7 @@ def check(
     claim: Any,
     *,
     tolerance: float = 1e-9,
-    levels: int = 5,
+    highest_level: int = 5,
     indices: Iterable[int] = (0, 1, 2, 3),
     threads: Optional[int] = None,
     unlimited: bool = False,
@@ -33,7 +33,7 @@ def check(
 
     tolerance: floats match within this part of the critical point's radius; 0 to 0.001. Above 1e-6 there is a verdict
       on them, but no statement that they conform.
-    levels: those above this one are not checked; 1 to 5.
+    highest_level: levels above this one are not checked; 1 to 5.
     indices: critical points of other indices are not judged.
     threads: as in FlowComplex; a FlowComplex has its own.
     unlimited: also read a compressed claim that grows to more than a hundred times its size; and as in FlowComplex.
@@ -44,8 +44,9 @@ def check(
     >>> check([[0, 0, 0], [2, 0, 0]], claim).verdict
     'conforms'
     """
-    tolerance, levels, indices = _judge.options(tolerance, levels, indices)  # what is wrong with them is said first
-    options = {"tolerance": tolerance, "levels": levels, "indices": indices, "unlimited": unlimited}
+    # What is wrong with the options is said first.
+    tolerance, highest_level, indices = _judge.options(tolerance, highest_level, indices)
+    options = {"tolerance": tolerance, "highest_level": highest_level, "indices": indices, "unlimited": unlimited}
     if isinstance(points, FlowComplex):
         return points.check(claim, threads=threads, **options)
     return FlowComplex(points, threads, unlimited=unlimited).check(claim, **options)

@@ -83,7 +83,7 @@ def check(
     claim: bytes,
     is_path: bool,
     tolerance: float,
-    levels: int,
+    highest_level: int,
     indices: Sequence[int],
     unlimited: bool,
 ) -> Dict[str, Any]: ...

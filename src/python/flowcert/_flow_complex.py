@@ -242,34 +242,34 @@ class FlowComplex:
         """
         return Lines(*self._core.unstable_lines())
 
-    def orbit(self, x: Iterable[Any]) -> Orbit:
-        """Where the flow takes the position x, segment by segment, exactly.
+    def orbit(self, start: Iterable[Any]) -> Orbit:
+        """Where the flow takes a position, segment by segment, exactly.
 
-        x: three numbers in the unit of the points; floats are taken as the doubles that they are, and Fractions as
+        start: three numbers in the unit of the points; floats are taken as the doubles that they are, and Fractions as
         they are.
 
         >>> FlowComplex([[0, 0, 0], [2, 0, 0]]).orbit([0.5, 0, 0]).limit.position
         (Fraction(1, 1), Fraction(0, 1), Fraction(0, 1))
         """
         try:
-            start = tuple(_exact.exact(value, "x") for value in x)
+            start = tuple(_exact.exact(value, "start") for value in start)
         except TypeError:
-            raise ValueError("x must be three numbers") from None
+            raise ValueError("start must be three numbers") from None
         if len(start) != 3:
-            raise ValueError(f"x must be three numbers, not {len(start)}")
+            raise ValueError(f"start must be three numbers, not {len(start)}")
         return orbit_of(start, self._core.orbit([_exact.hexadecimal(value) for value in start]))
 
-    def locate(self, x: ArrayLike) -> Places:
+    def locate(self, positions: ArrayLike) -> Places:
         """Where the flow takes many positions, and their nearest points: (limits, nearest, tied).
 
-        x: (n, 3), as the points of a FlowComplex. The first call prepares what all of them need.
+        positions: (n, 3), as the points of a FlowComplex. The first call prepares what all of them need.
 
         >>> fc = FlowComplex([[0, 0, 0], [2, 0, 0], [0, 2, 0], [2, 2, 0], [1, 1, 3]])
         >>> limits, nearest, tied = fc.locate([[0.5, 1, 0.5], [9, 9, 9], [1, 0, 0]])
         >>> limits.tolist(), nearest.tolist(), tied.tolist()
         ([18, -1, 5], [0, 4, 0], [True, False, True])
         """
-        return Places(*self._core.locate(point_rows(x)))
+        return Places(*self._core.locate(point_rows(positions)))
 
     @overload
     def pockets(self, persistence: Any = "auto", probe: Any = None) -> Pockets: ...

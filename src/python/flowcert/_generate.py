@@ -21,7 +21,7 @@ def families() -> Dict[str, str]:
 def generate(family: str, seed: int = 1, *, level: int = 1, case: int = 0) -> NDArray[np.float64]:
     """Draws an input of a family: an (n, 3) array of doubles, the same on every machine.
 
-    It is the case that ``flowcert generate --family FAMILY --seed SEED --level LEVEL --only CASE --xyz`` prints.
+    It is the case that ``flowcert generate --family FAMILY --seed SEED --level LEVEL --case CASE --xyz`` prints.
 
     family: a name of families(). seed: 0 to 2**64 - 1. level: 1 to 3; cases of level 1 have up to 8 points mostly,
     of level 2 up to 10, of level 3 up to 12, and some of them hundreds. case: 0 to 9,999,999; each is another input.

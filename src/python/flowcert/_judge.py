@@ -68,7 +68,7 @@ class CheckReport:
                     points makes), or "fails"
     is_exact        False if decimals were claimed, which are matched within the tolerance
     parts           what the claim tells of the flow complex and was judged on, such as ("points", "U2")
-    statement       "conforms to 1.1, points + U2, exact" (FC-CLAIM-22), or of decimals "approximate within 1e-09";
+    statement       "conforms to 1.2, points + U2, exact" (FC-CLAIM-22), or of decimals "approximate within 1e-09";
                     None if no part is told, or if decimals were judged with a tolerance above 1e-6
     claimed_counts  of critical points of index 0 to 3, as listed in the claim
     true_counts     as they are; zeros if only level 1 was checked
@@ -101,9 +101,9 @@ class CheckReport:
         return "\n".join([*lines, f"{self.verdict} ({'exact' if self.is_exact else 'approximate'})"])
 
 
-def check(core, claim, *, tolerance=1e-9, levels=5, indices=(0, 1, 2, 3), threads=None, unlimited=False):
+def check(core, claim, *, tolerance=1e-9, highest_level=5, indices=(0, 1, 2, 3), threads=None, unlimited=False):
     """The report on a claim about the points of a complex of the library."""
-    numbers = options(tolerance, levels, indices)
+    numbers = options(tolerance, highest_level, indices)
     if threads is not None:
         raise ValueError("threads must be given to the FlowComplex, which has its own")
     text, is_path, is_list = _text_of(claim)
@@ -115,19 +115,19 @@ def check(core, claim, *, tolerance=1e-9, levels=5, indices=(0, 1, 2, 3), thread
 
 
 @_exact.in_ieee_doubles
-def options(tolerance, levels, indices):
+def options(tolerance, highest_level, indices):
     """The same as numbers that the library takes, which says what range the tolerance has."""
     try:
         tolerance = float(tolerance)
     except (OverflowError, TypeError, ValueError):
         raise ValueError("tolerance must be from 0 to 0.001") from None
-    levels = _whole(levels, range(1, 6), "levels must be an integer from 1 to 5")
+    highest_level = _whole(highest_level, range(1, 6), "highest_level must be an integer from 1 to 5")
     refusal = "indices must be integers from 0 to 3"
     try:
         indices = list(indices)
     except TypeError:
         raise ValueError(refusal) from None
-    return tolerance, levels, [_whole(index, range(4), refusal) for index in indices]
+    return tolerance, highest_level, [_whole(index, range(4), refusal) for index in indices]
 
 
 def _whole(value, allowed, refusal):

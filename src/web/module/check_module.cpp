@@ -27,8 +27,10 @@ CheckOptions options_of(const Said& said, const Said& input) {
   if (!(0 <= options.tolerance && options.tolerance <= kLargestTolerance)) {
     throw InvalidInput("tolerance must be from 0 to 0.001");
   }
-  options.highest_level = static_cast<int>(said.count("levels", kLevels));
-  if (options.highest_level < 1 || options.highest_level > kLevels) throw InvalidInput("levels must be from 1 to 5");
+  options.highest_level = static_cast<int>(said.count("highestLevel", kLevels));
+  if (options.highest_level < 1 || options.highest_level > kLevels) {
+    throw InvalidInput("highestLevel must be from 1 to 5");
+  }
   if (said.has("indices")) options.indices = {};
   for (const std::string& index : said.texts("indices")) {
     options.indices.at(static_cast<std::size_t>(claimed_index(index, {"--indices", 1}))) = true;

@@ -160,7 +160,7 @@ export interface CheckOptions {
   /** 1e-9 without it, and 1e-6 for pores. */
   tolerance?: number;
   /** The highest level that is judged, 1 to 5. */
-  levels?: number;
+  highestLevel?: number;
   /** Critical points of these indices alone are judged. */
   indices?: number[];
   /** For claims of pores. */

@@ -19,7 +19,7 @@ namespace flowcert {
 enum class Verdict;
 
 // The version of the specification, as the head of spec/flow_complex.md has it.
-inline constexpr char kSpecVersion[] = "1.1";
+inline constexpr char kSpecVersion[] = "1.2";
 
 // In the order in which a profile names them.
 enum class ProfilePart : std::uint8_t {
@@ -84,8 +84,8 @@ class Profile {
 // The largest tolerance with which what is approximate can be said to conform, or to be perturbed (FC-CLAIM-23).
 inline constexpr double kLargestStatedTolerance = 1e-6;
 
-// "conforms to 1.1, points + U2, exact" or "conforms to 1.1, points, approximate within 1e-09". It is "does not conform
-// to 1.1" for what fails. Nothing if no part is covered, or if the tolerance of decimals is too large.
+// "conforms to 1.2, points + U2, exact" or "conforms to 1.2, points, approximate within 1e-09". It is "does not conform
+// to 1.2" for what fails. Nothing if no part is covered, or if the tolerance of decimals is too large.
 [[nodiscard]] std::optional<std::string> conformity_text(Verdict verdict, const Profile& profile, double tolerance);
 
 // "no statement: the tolerance 0.001 is above 1e-06 (FC-CLAIM-23)". Nothing where the tolerance is not the reason.
