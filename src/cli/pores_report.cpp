@@ -238,7 +238,7 @@ void print_cavities_report(const CavitiesReport& report) {
                 2);
   Table table("rrl", {"cavity", "atoms", ""});
   for (std::size_t number = 0; number < shown; ++number) {
-    const auto& atoms = what.cavities[number].atoms;
+    const auto& atoms = what.cavities[number].lining;
     table.row(std::to_string(number)).cell(atoms.size()).cell(some_atoms_text(what.atoms, atoms, report.shows_all));
   }
   table.print();

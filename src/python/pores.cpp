@@ -163,16 +163,16 @@ class BallPores {
   Pores pores_;
 };
 
-// [atoms, ...]
+// [lining, ...]
 py::list cavities_between(const std::vector<BallText>& rows, const std::string& probe) {
   std::vector<BallCavity> cavities;
   {
     const ReleasedLock released;
     cavities = ball_cavities(BallSet(balls_of(rows)), rational_of(probe));
   }
-  py::list atoms;
-  for (const BallCavity& cavity : cavities) atoms.append(places_of(cavity.atoms));
-  return atoms;
+  py::list linings;
+  for (const BallCavity& cavity : cavities) linings.append(places_of(cavity.lining));
+  return linings;
 }
 
 }  // namespace

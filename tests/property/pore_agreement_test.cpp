@@ -165,7 +165,7 @@ void expect_same_cavities(const BallSet& balls, const std::vector<oracle::Ball>&
   for (const oracle::Rational& probe : probes_of(right)) {
     SCOPED_TRACE("probe " + probe.str());
     std::vector<oracle::Places> mine;
-    for (const BallCavity& cavity : ball_cavities(balls, Rational(probe.str()))) mine.push_back(places(cavity.atoms));
+    for (const BallCavity& cavity : ball_cavities(balls, Rational(probe.str()))) mine.push_back(places(cavity.lining));
     ASSERT_EQ(mine.size(), cavities_at(right, probe));
     if (mine.empty()) continue;
     EXPECT_EQ(mine, oracle::cavity_linings(same, right, probe));

@@ -556,7 +556,7 @@ void add_pores(Calls& calls, const Made& m) {
       "ball_cavities", [=] { return ball_cavities(*set, probe); },
       [](const auto& made) {
         std::string text;
-        for (const BallCavity& cavity : made) text += result_text(cavity.atoms);
+        for (const BallCavity& cavity : made) text += result_text(cavity.lining);
         return text;
       });
   const PoresToWrite what{*pores, Rational(0), probe};

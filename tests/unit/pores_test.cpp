@@ -214,7 +214,7 @@ TEST(BallCavities, AreAsManyAsTheIntervalsSay) {
 
 std::vector<Ids> linings(const std::vector<Ball>& balls, const Rational& probe) {
   std::vector<Ids> found;
-  for (const BallCavity& cavity : ball_cavities(BallSet(balls), probe)) found.push_back(cavity.atoms);
+  for (const BallCavity& cavity : ball_cavities(BallSet(balls), probe)) found.push_back(cavity.lining);
   return found;
 }
 

@@ -136,7 +136,7 @@ export interface PocketsObject extends ProgramObject {
 }
 /** What pockets() gives where atoms have radii, and what pores() gives: spec/formats/pores.md */
 export interface CavitiesObject extends ProgramObject {
-  cavities: { lining: number[]; atoms?: string[] }[];
+  cavities: { lining: number[]; names?: string[] }[];
 }
 export interface PoresObject extends ProgramObject {
   largest_cavity_diameter: number | null;
