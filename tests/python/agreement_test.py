@@ -58,7 +58,7 @@ def test_stationary_points(points, xyz):
         assert fc.contacts[slice(*point["contact_offsets"])].tolist() == record["contact"]
         position, squared_distance = fc.exact(i)
         assert (position, squared_distance) == (ratios(record["center"]), Fraction(record["squared_distance"]))
-        assert point["position"].tolist() == list(map(nearest, record["center_double"], position))
+        assert point["center"].tolist() == list(map(nearest, record["center_double"], position))
         assert point["squared_distance"] == nearest(record["squared_distance_double"], squared_distance)
     assert (fc.regular_points["index"] == -1).all() and (fc.critical_points["index"] >= 0).all()
     assert fc.stationary_points["contact_offsets"].ravel().tolist()[-1:] == [len(fc.contacts)][: len(records)]

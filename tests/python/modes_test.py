@@ -82,7 +82,7 @@ def calls_of_complex(rows, made):
     last = len(made.stationary_points) - 1
     saddle = made.counts[0]
     claim = [
-        {"index": int(point["index"]), "position": point["position"], "squared_distance": point["squared_distance"]}
+        {"index": int(point["index"]), "center": point["center"], "squared_distance": point["squared_distance"]}
         for point in made.critical_points
     ]
     return {
@@ -146,7 +146,7 @@ def test_of_a_complex(rows):
 def test_of_the_module(tmp_path):
     file = tmp_path / "points.xyz"
     file.write_text("0.1 0.7 0.3\n1e-320 0.2 4.9e-324\n1.1 123456.7 0.30000000000000004\n")
-    claim = [{"index": 0, "position": point} for point in TINY]
+    claim = [{"index": 0, "center": point} for point in TINY]
     fractions = [[Fraction(x) for x in row] for row in TINY]
     loops = flowcert.FlowComplex(DECIMALS).cycles(longest=1)
     made = flowcert.pores(DECIMALS, "1/3", depth=0)
@@ -176,9 +176,9 @@ def test_of_the_module(tmp_path):
 
 def test_no_result_changes_later():
     """A complex that was asked in another mode answers as one that never was."""
-    right = flowcert.FlowComplex(DECIMALS).stationary_points["position"]
+    right = flowcert.FlowComplex(DECIMALS).stationary_points["center"]
     complex = flowcert.FlowComplex(DECIMALS)
     complex.counts
     with MODES["upward"]:
         complex.stationary_points
-    assert (complex.stationary_points["position"] == right).all()
+    assert (complex.stationary_points["center"] == right).all()

@@ -84,7 +84,7 @@ def test_an_octahedron():
     assert made.points["rank"].tolist() == [0] + [1] * 8 + [2] * 12
     assert made.points["value"][[0, 1, 9]].tolist() == [1.5, float(chamber.gate), float(made.exact(9)[1])]
     assert made.exact(9)[1].polynomial == (4, 4, -7)  # sqrt(2) - 1/2
-    assert made.points["position"][9:].round(12).tolist().count([1, 1, 0]) == 1
+    assert made.points["center"][9:].round(12).tolist().count([1, 1, 0]) == 1
     assert made.cavities.tolist() == [[1, 0]] and made.vestibules == [] and len(chamber.windows) == 8
     assert [(step.polynomial, count) for step, count in made.cavity_steps()] == [((2, -3), 1), ((12, 12, -29), 0)]
     assert [made.cavities_at(s) for s in (0, "1.1329", "1.133", 1.5, 2)] == [0, 0, 1, 1, 0]
@@ -201,7 +201,7 @@ def test_pores_are_those_of_the_program(tmp_path_factory, balls, probe):
             position, value = made.exact(place)
             assert same(value) == number(witnesses["value"])
             assert list(map(same, position)) == list(map(number, point["center"]))
-            assert made.points["position"][place].tolist() == [x["double"] for x in point["center"]]
+            assert made.points["center"][place].tolist() == [x["double"] for x in point["center"]]
             assert made.points["value"][place] == value.double
 
     assert len(made.chambers) == len(said["chambers"]) and len(made.windows) == len(said["windows"])

@@ -24,9 +24,10 @@ def check(
     claim: one of these.
 
     - A list of dicts, one for each critical point, with the keys index (0 to 3; for a regular stationary point its
-      kind, a pair), contact (rows of the points), position (three numbers), squared_distance, samples, limits. Needed
-      are index, and contact or position. Integers and Fractions are exact; floats are matched within the tolerance.
-    - A structured array with index, position and, if it has them, squared_distance and kind; as critical_points. Those
+      kind, a pair), contact (rows of the points), center (three numbers), squared_distance, samples, limits. Needed
+      are index, and contact or center. Integers, Fractions and strings, "1/3", are exact; floats are matched within
+      the tolerance. All keys of a record of `flowcert compute -o` are known, so that json.loads of its line is one.
+    - A structured array with index, center and, if it has them, squared_distance and kind; as critical_points. Those
       that have infinities, because a number overflowed, are refused; a list may have exact().
     - A str or a path: the name of a file, in any format that `flowcert check` reads.
     - bytes, or an open file: the content of such a file.
@@ -40,7 +41,7 @@ def check(
 
     A claim that is wrong is no error; the report says so. One that cannot be read is a ValueError.
 
-    >>> claim = [{"index": 0, "contact": [0]}, {"index": 0, "contact": [1]}, {"index": 1, "position": [1, 0, 0]}]
+    >>> claim = [{"index": 0, "contact": [0]}, {"index": 0, "contact": [1]}, {"index": 1, "center": [1, 0, 0]}]
     >>> check([[0, 0, 0], [2, 0, 0]], claim).verdict
     'conforms'
     """

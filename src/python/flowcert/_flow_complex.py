@@ -87,7 +87,7 @@ class FlowComplex:
         index             int8, 0 to 3, or -1 for a regular stationary point, which has none
         kind              (2,) int8: (i, i) if it is critical of index i. A regular point is (1, 2), (1, 3) or (2, 3):
                           a limit case, in which critical points of these indices (of 1, 2, 2, 3 for (1, 3)) collide
-        position          (3,) float64, in the unit of the points; the doubles nearest to the exact position
+        center            (3,) float64, its place, in the unit of the points; the doubles nearest to the exact one
         squared_distance  float64, to the nearest points; in the square of the unit
         contact_offsets   (2,) int64: the nearest points are contacts[first:last]
 
@@ -100,7 +100,7 @@ class FlowComplex:
         """The critical points, by index, then by contact set: the first part of stationary_points.
 
         >>> fc = FlowComplex([[0, 0, 0], [2, 0, 0]])
-        >>> fc.critical_points["position"].tolist()
+        >>> fc.critical_points["center"].tolist()
         [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 0.0, 0.0]]
         >>> first, last = fc.critical_points["contact_offsets"][2]
         >>> fc.contacts[first:last].tolist()
@@ -138,13 +138,13 @@ class FlowComplex:
         return self._core.euler_sum()
 
     def exact(self, i: int) -> Tuple[Position, Fraction]:
-        """The exact position (three Fractions) and squared distance (a Fraction) of stationary point i.
+        """The exact center (three Fractions) and squared distance (a Fraction) of stationary point i.
 
         >>> FlowComplex([[0, 0, 0], [1, 0, 0]]).exact(2)
         ((Fraction(1, 2), Fraction(0, 1), Fraction(0, 1)), Fraction(1, 4))
         """
-        position, squared_distance = self._core.exact(self._place(i))
-        return _exact.fractions(position), _exact.fraction(squared_distance)
+        center, squared_distance = self._core.exact(self._place(i))
+        return _exact.fractions(center), _exact.fraction(squared_distance)
 
     # ---- Persistence
 
