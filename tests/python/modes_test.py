@@ -110,7 +110,7 @@ def calls_of_complex(rows, made):
         "pockets": lambda fc: fc.pockets(persistence=persistence, probe=probe),
         "volumes": lambda fc: fc.volumes,
         "volume": lambda fc: fc.volume(last),
-        "shares": lambda fc: (fc.shares(last), fc.shares(last, exact=False)),
+        "shares": lambda fc: (fc.shares(last), fc.shares(last, exact=True)),
         "hull_volume": lambda fc: fc.hull_volume,
         "lambda_list": lambda fc: (fc.lambda_list(saddle), fc.lambda_list(saddle, exact=True)),
         "unstable_surface": lambda fc: (fc.unstable_surface(saddle), fc.unstable_surface(saddle, exact=True)),

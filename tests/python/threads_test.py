@@ -122,9 +122,9 @@ def use_everything(points):
     fc.orbit([0.1, 0.2, 0.3])
     place = int(fc.volumes.argmax())
     fc.volume(place)
-    fc.shares(place)
     fc.hull_volume
     for exact in (False, True):
+        fc.shares(place, exact=exact)
         fc.lambda_list(fc.counts[0], exact=exact)
         fc.unstable_surface(fc.counts[0], exact=exact)
     fc.connections

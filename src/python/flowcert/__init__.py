@@ -70,6 +70,7 @@ __all__ = [
     "UnstableSegment",
     "UnstableSheet",
     "UnstableSurface",
+    "Void",
     "Window",
     "__made_by__",
     "__version__",

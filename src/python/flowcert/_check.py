@@ -49,4 +49,4 @@ def check(
     options = {"tolerance": tolerance, "levels": levels, "indices": indices, "unlimited": unlimited}
     if isinstance(points, FlowComplex):
         return points.check(claim, threads=threads, **options)
-    return FlowComplex(points, threads, unlimited=unlimited).check(claim, **options)
+    return FlowComplex(points, threads=threads, unlimited=unlimited).check(claim, **options)

@@ -25,7 +25,7 @@ _KINDS = ((1, 2), (1, 3), (2, 3))
 class FlowComplex:
     """The flow complex of points: critical points, persistence, surfaces, lines, orbits and cells, exactly.
 
-    FlowComplex(points, threads=None, unlimited=False)
+    FlowComplex(points, *, threads=None, unlimited=False)
 
     points: (n, 3), any number of rows, none as well; an array, or anything that NumPy makes one of. Repeated rows are
     merged. Coordinates are taken as the doubles that they are. Other floats and integers are converted exactly, and a
@@ -55,7 +55,7 @@ class FlowComplex:
     [[1, 2]]
     """
 
-    def __init__(self, points: ArrayLike, threads: Optional[int] = None, *, unlimited: bool = False) -> None:
+    def __init__(self, points: ArrayLike, *, threads: Optional[int] = None, unlimited: bool = False) -> None:
         threads = thread_count(threads)
         self._core = _core.Complex(point_rows(points), threads, bool(unlimited))
         self._unlimited = bool(unlimited)
@@ -149,7 +149,7 @@ class FlowComplex:
     # ---- Persistence
 
     def persistence(
-        self, zero: bool = False, *, dimension: Optional[int] = None, squared: bool = True
+        self, *, zero: bool = False, dimension: Optional[int] = None, squared: bool = True
     ) -> Union[List[Tuple[int, Tuple[float, float]]], NDArray[np.float64]]:
         """The persistence pairs of the squared distance function, in GUDHI's form: [(dimension, (birth, death)), ...].
 
@@ -183,7 +183,7 @@ class FlowComplex:
         return pairs[pairs["dimension"] == dimension]
 
     def persistence_pairs(
-        self, zero: bool = False, *, dimension: Optional[int] = None, squared: bool = True
+        self, *, zero: bool = False, dimension: Optional[int] = None, squared: bool = True
     ) -> NDArray[Any]:
         """The same pairs in the same order as a structured array, with the points that make them:
 
@@ -272,10 +272,10 @@ class FlowComplex:
         return Places(*self._core.locate(point_rows(x)))
 
     @overload
-    def pockets(self, persistence: Any = "auto", probe: Any = None) -> Pockets: ...
+    def pockets(self, persistence: Any = "auto", *, probe: Any = None) -> Pockets: ...
     @overload
     def pockets(self, *, radii: Any, probe: Any) -> List[NDArray[np.int64]]: ...
-    def pockets(self, persistence: Any = "auto", probe: Any = None, *, radii: Any = None) -> Any:
+    def pockets(self, persistence: Any = "auto", *, probe: Any = None, radii: Any = None) -> Any:
         """Pockets: what flows to the same maxima, merged by persistence, with their mouths. Distances are measured to
         the points, which have no radii: of atoms, to their centres.
 
@@ -309,6 +309,7 @@ class FlowComplex:
     def cycles(
         self,
         dimension: int = 1,
+        *,
         longest: int = 10,
         level: Any = "25%",
         persistence: Any = None,
@@ -418,18 +419,18 @@ class FlowComplex:
         """
         return _exact.fraction(self._core.volume(self._place(i)))
 
-    def shares(self, i: int, exact: bool = True) -> Union[Dict[int, Fraction], Dict[int, float]]:
+    def shares(self, i: int, *, exact: bool = False) -> Union[Dict[int, float], Dict[int, Fraction]]:
         """How much of volume(i) lies in the Voronoi cells of which points: {row: volume}, by ascending row.
 
-        The volumes are positive, and add up to volume(i).
-        exact: Fractions. If it is False, the nearest doubles, which are there much sooner for a scan.
+        The volumes are positive; the exact ones add up to volume(i).
+        exact: volumes are Fractions instead of the nearest doubles, which are there much sooner for a scan.
 
         >>> fc = FlowComplex([[0, 0, 0], [2, 0, 0], [0, 2, 0], [2, 2, 0], [1, 1, 3]])
-        >>> [shares] = [fc.shares(i) for i in fc.volumes.nonzero()[0]]
-        >>> {row: str(volume) for row, volume in shares.items()}
+        >>> [i] = fc.volumes.nonzero()[0]
+        >>> {row: str(volume) for row, volume in fc.shares(i, exact=True).items()}
         {0: '599/720', 1: '599/720', 2: '599/720', 3: '599/720', 4: '121/180'}
-        >>> [fc.shares(i, exact=False)[4] for i in fc.volumes.nonzero()[0]]
-        [0.6722222222222223]
+        >>> fc.shares(i)[4]
+        0.6722222222222223
         """
         place = self._place(i)
         if not exact:
@@ -444,7 +445,7 @@ class FlowComplex:
         """
         return _exact.fraction(self._core.hull_volume())
 
-    def lambda_list(self, i: int, exact: bool = False) -> LambdaList:
+    def lambda_list(self, i: int, *, exact: bool = False) -> LambdaList:
         """Where the directions of stationary point i lead: of a regular one, or of a saddle, of index 1 or 2.
 
         exact: positions are Fractions instead of the nearest doubles.
@@ -459,7 +460,7 @@ class FlowComplex:
             raise ValueError(f"stationary point {place} has no list of limits; saddles and regular points have one")
         return lambda_list_of(answer, exact)
 
-    def unstable_surface(self, i: int, exact: bool = False) -> UnstableSurface:
+    def unstable_surface(self, i: int, *, exact: bool = False) -> UnstableSurface:
         """All that flows from stationary point i, as a set: of an index-1 point, or a regular one of kind (1, 2) or
         (1, 3). It has dimension 2, and can be large.
 
@@ -553,4 +554,4 @@ def _with_place(message: str, is_one: bool) -> str:
 
 def _made(points: NDArray[np.float64], threads: int, unlimited: bool) -> FlowComplex:
     """What pickle calls, which takes no names of arguments."""
-    return FlowComplex(points, threads, unlimited=unlimited)
+    return FlowComplex(points, threads=threads, unlimited=unlimited)
