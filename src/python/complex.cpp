@@ -191,7 +191,7 @@ void add_complex(py::module_& module) {
       .def("is_morse_smale", &Complex::is_morse_smale, ieee)
       .def("represents", &Complex::represents, py::arg("loops"), py::arg("birth"), py::arg("death"),
            py::arg("squared_level"), ieee)
-      .def("homologous", &Complex::homologous, py::arg("loop"), py::arg("other"), py::arg("squared_radius"), ieee)
+      .def("homologous", &Complex::homologous, py::arg("loop"), py::arg("other"), py::arg("squared_level"), ieee)
       .def("cycles", &Complex::cycles, py::arg("dimension"), py::arg("longest"), py::arg("persistence"),
            py::arg("pair"), py::arg("level"), ieee)
       .def("pockets", &Complex::pockets, py::arg("persistence"), py::arg("probe"), ieee)

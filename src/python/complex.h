@@ -105,7 +105,7 @@ class Complex {
   using LoopEdges = std::vector<SampleEdge>;
   [[nodiscard]] bool represents(const std::vector<LoopEdges>& loops, std::uint32_t birth, std::uint32_t death,
                                 const std::optional<std::string>& squared_level) const;
-  [[nodiscard]] bool homologous(const LoopEdges& loop, const LoopEdges& other, const std::string& squared_radius) const;
+  [[nodiscard]] bool homologous(const LoopEdges& loop, const LoopEdges& other, const std::string& squared_level) const;
 
   // (pockets, outside, gates, largest_balls, squared_persistence), as Pockets has them (flowcert/_pockets.py).
   // persistence is a bound as commands take it, and the probe hexadecimal.

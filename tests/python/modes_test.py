@@ -155,13 +155,13 @@ def test_of_the_module(tmp_path):
         again = flowcert.pores(DECIMALS, DECIMALS[0][0], depth=TINY[0][0], threads=2)
         lists = again.points, again.contacts, again.chambers, again.windows, again.cavities, again.cavity_steps()
         places = range(len(again.points))
-        tiny = flowcert.FlowComplex(TINY).pockets(radii=TINY[0][0], probe=TINY[1][1])
-        return lists, [made.exact(i) for i in places], [made.cavities_at(x) for x in DECIMALS[0]], tiny
+        return lists, [made.exact(i) for i in places], [made.cavities_at(x) for x in DECIMALS[0]]
 
     calls = {
         "read_points": lambda: flowcert.read_points(file),
         "read_balls": lambda: [some.tolist() for some in flowcert.read_balls(file, 0.1)],
         "pores": pores,
+        "cavities": lambda: flowcert.cavities(TINY, TINY[0][0], TINY[1][1]),
         "generate": lambda: [flowcert.generate(family, case=3) for family in sorted(flowcert.families())],
         "families": lambda: flowcert.families(),
         "check": lambda: flowcert.check(TINY, claim, tolerance=1e-9, levels=2, indices=[0]),

@@ -4,13 +4,13 @@ import operator
 import re
 from fractions import Fraction
 from html import escape
-from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union, overload
+from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core, _exact, _judge
-from ._balls import ball_rows, length
+from ._balls import length
 from ._cycles import Cycle, Loop, cycle_of, edges_of
 from ._limits import LambdaList, lambda_list_of
 from ._manifolds import Lines, Mesh, Surfaces
@@ -271,13 +271,9 @@ class FlowComplex:
         """
         return Places(*self._core.locate(point_rows(x)))
 
-    @overload
-    def pockets(self, persistence: Any = "auto", *, probe: Any = None) -> Pockets: ...
-    @overload
-    def pockets(self, *, radii: Any, probe: Any) -> List[NDArray[np.int64]]: ...
-    def pockets(self, persistence: Any = "auto", *, probe: Any = None, radii: Any = None) -> Any:
+    def pockets(self, persistence: Any = "auto", *, probe: Any = None) -> Pockets:
         """Pockets: what flows to the same maxima, merged by persistence, with their mouths. Distances are measured to
-        the points, which have no radii: of atoms, to their centres.
+        the points, which have no radii: of atoms, to their centres. flowcert.cavities has rooms between balls.
 
         persistence: pockets are deeper than this, a difference of distances; what is not is merged, and 0 merges
         nothing. A number; or a str, as `flowcert pockets --persistence` takes it: "3spacing", "q0.9" or "auto", which
@@ -291,20 +287,9 @@ class FlowComplex:
         (1.3333333333333333, Fraction(1, 3), 8, 'channel')
         >>> len(fc.pockets(Fraction(1, 5)).pockets)
         0
-
-        radii: of the points as balls, as pores() takes them. The answer is another one then, the cavities for a probe
-        whose radius is beyond the balls' surfaces: rooms that have a place for it, and no way out. A list of int64
-        arrays: for each the rows of the balls that bound it, ascending. Repeated rows are balls of their own.
-
-        >>> [rows.tolist() for rows in fc.pockets(radii="1/4", probe="0.7")]
-        [[0, 1, 2, 3, 4, 5]]
         """
         radius = None if probe is None else _exact.hexadecimal(length(probe, "probe"))
-        if radii is None:
-            return pockets_of(self._core.pockets(_exact.words(persistence, "persistence"), radius))
-        if radius is None or persistence != "auto":
-            raise ValueError("radii: with a probe, and without a persistence")
-        return _core.ball_cavities(ball_rows(self.points, radii), radius)
+        return pockets_of(self._core.pockets(_exact.words(persistence, "persistence"), radius))
 
     def cycles(
         self,
@@ -326,7 +311,7 @@ class FlowComplex:
 
         >>> square = FlowComplex([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]])
         >>> [loop] = square.cycles()
-        >>> loop.polygons[0].tolist(), loop.length, loop.squared_level, len(loop.surface.faces)
+        >>> loop.polygons[0].tolist(), loop.loop_length, loop.squared_level, len(loop.surface.faces)
         ([0, 1, 2, 3], 8.0, Fraction(5, 4), 8)
         >>> octahedron = FlowComplex([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]])
         >>> [void] = octahedron.cycles(dimension=2)
@@ -372,19 +357,20 @@ class FlowComplex:
             [edges_of(loop) for loop in loops], self._place(pair[0]), self._place(pair[1]), level
         )
 
-    def homologous(self, loop: Any, other: Any, squared_radius: Any) -> bool:
-        """Whether two loops lie among the balls of this squared radius around all points, and one can be deformed into
-        the other there: their sum bounds (mod 2). False, too, if one of them is no cycle, or leaves the balls. An edge
-        pq is among them if |p-q| is at most twice the radius.
+    def homologous(self, loop: Any, other: Any, squared_level: Any) -> bool:
+        """Whether two loops lie among the balls of a level around all points, and one can be deformed into the other
+        there: their sum bounds (mod 2). False, too, if one of them is no cycle, or leaves the balls. An edge pq is
+        among them if |p-q| is at most twice their radius.
 
         loop, other: as in represents(). [] is the loop that bounds.
+        squared_level: a number, the square of this radius.
 
         >>> square = FlowComplex([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]])
         >>> square.homologous([0, 1, 2, 3], [], 1), square.homologous([0, 1, 2, 3], [], 2)
         (False, True)
         """
-        radius = _exact.hexadecimal(_exact.exact(squared_radius, "squared_radius"))
-        return self._core.homologous(edges_of(loop), edges_of(other), radius)
+        level = _exact.hexadecimal(_exact.exact(squared_level, "squared_level"))
+        return self._core.homologous(edges_of(loop), edges_of(other), level)
 
     def _contact(self, i: int) -> List[int]:
         place, points = self._place(i), self.stationary_points

@@ -206,3 +206,19 @@ def pores(
     ('open', 'closed', 'too small')
     """
     return Pores(_balls.ball_rows(points, radii), _balls.length(depth, "depth"), thread_count(threads))
+
+
+def cavities(points: Union[ArrayLike, Sequence[Sequence[Any]]], radii: Any, probe: Any) -> List[NDArray[np.int64]]:
+    """The rooms between atoms with radii that have a place for a probe, and no way out for it. A list of int64 arrays:
+    for each the rows of the balls that the probe can touch there, ascending.
+
+    points, radii: as pores() takes them. Repeated rows are balls of their own. probe: a radius, 0 or more, beyond the
+    balls' surfaces; exact, as these are. To touch is to fit. Pores.cavities_at counts the same for any probe, where
+    pores() has taken its time. Ctrl-C comes through afterwards.
+
+    >>> cage = [[2, 2, 2], [2, -2, -2], [-2, 2, -2], [-2, -2, 2]]
+    >>> [[rows.tolist() for rows in cavities(cage, 1, probe)] for probe in ("2.2", "2.4", "2.6")]
+    [[], [[0, 1, 2, 3]], []]
+    """
+    radius = _exact.hexadecimal(_balls.length(probe, "probe"))
+    return _core.ball_cavities(_balls.ball_rows(points, radii), radius)
