@@ -29,7 +29,8 @@ def check(
       the tolerance. All keys of a record of `flowcert compute -o` are known, so that json.loads of its line is one.
     - A structured array with index, center and, if it has them, squared_distance and kind; as critical_points. Those
       that have infinities, because a number overflowed, are refused; a list may have exact().
-    - A str or a path: the name of a file, in any format that `flowcert check` reads.
+    - A str or a path: the name of a file of stationary points, as JSON Lines, CSV, VTP or Giesen and Kühne's text, or
+      of pockets as JSON. `flowcert check` reads persistence diagrams, cycles and pores, too.
     - bytes, or an open file: the content of such a file.
 
     tolerance: floats match within this part of the critical point's radius; 0 to 0.001. Above 1e-6 there is a verdict

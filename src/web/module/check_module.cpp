@@ -1,5 +1,6 @@
 // The module check_module.wasm: what `flowcert check` does, and its --json. index.js loads it when it is asked for.
 #include <emscripten/bind.h>
+#include <fmt/format.h>
 
 #include <string>
 #include <utility>
@@ -20,12 +21,10 @@ using namespace certify;
 namespace {
 
 CheckOptions options_of(const Said& said, const Said& input) {
-  // With a larger tolerance, nearly every claim is ambiguous.
-  constexpr double kLargestTolerance = 1e-3;
   CheckOptions options;
   options.tolerance = said.number("tolerance", kDefaultTolerance);
   if (!(0 <= options.tolerance && options.tolerance <= kLargestTolerance)) {
-    throw InvalidInput("tolerance must be from 0 to 0.001");
+    throw InvalidInput(fmt::format("tolerance must be from 0 to {}", kLargestTolerance));
   }
   options.highest_level = static_cast<int>(said.count("levels", kLevels));
   if (options.highest_level < 1 || options.highest_level > kLevels) throw InvalidInput("levels must be from 1 to 5");
