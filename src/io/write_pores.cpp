@@ -107,7 +107,7 @@ class PoreFields {
 
  private:
   [[nodiscard]] const std::vector<std::uint32_t>& contacts(std::uint32_t point) const {
-    return pores_.points()[point].contacts;
+    return pores_.points()[point].contact;
   }
 
   [[nodiscard]] Json point(std::uint32_t point) const {
@@ -115,7 +115,7 @@ class PoreFields {
     json["contact"] = contacts(point);
     if (what_.atoms != nullptr) json["names"] = atom_texts(*what_.atoms, contacts(point));
     json["center"] = Json::array();
-    for (const QuadraticNumber& coordinate : pores_.position(point)) json["center"].push_back(number_field(coordinate));
+    for (const QuadraticNumber& coordinate : pores_.center(point)) json["center"].push_back(number_field(coordinate));
     return json;
   }
 
@@ -126,7 +126,7 @@ class PoreFields {
 std::string csv_number(const QuadraticNumber& number) { return io::csv_number(nearest_or_infinity(number)); }
 
 std::string csv_position(const Pores& pores, std::uint32_t point) {
-  const auto [x, y, z] = pores.position(point);
+  const auto [x, y, z] = pores.center(point);
   return fmt::format("{},{},{}", csv_number(x), csv_number(y), csv_number(z));
 }
 
@@ -144,7 +144,7 @@ std::string csv_atoms(const AtomNames* atoms, const std::vector<std::uint32_t>& 
 std::string csv_atoms(const PoresToWrite& what, std::span<const std::uint32_t> points) {
   std::set<std::uint32_t> ids;
   for (const std::uint32_t point : points) {
-    const auto& contacts = what.pores.points()[point].contacts;
+    const auto& contacts = what.pores.points()[point].contact;
     ids.insert(contacts.begin(), contacts.end());
   }
   return csv_atoms(what.atoms, {ids.begin(), ids.end()});

@@ -35,7 +35,7 @@ struct Sites {
         const Ball& ball = balls[id];
         if (ball.radius == balls[outer].radius) {
           twins[outer].push_back(id);
-        } else if (const auto [at, is_new] = inside.try_emplace(ball.centre, id); at->second != id) {
+        } else if (const auto [at, is_new] = inside.try_emplace(ball.center, id); at->second != id) {
           const int sign = ball.radius.compare(balls[at->second].radius);
           if (sign > 0) at->second = id;
           if (sign == 0) twins[at->second].push_back(id);

@@ -82,7 +82,7 @@ class BallPores {
       geometry::parallel_for(points.size(), threads_, [&](std::size_t k) { records[k] = record_of(k); });
       for (std::size_t k = 0; k < points.size(); ++k) {
         const auto first = static_cast<std::int64_t>(contacts.size());
-        contacts.insert(contacts.end(), points[k].contacts.begin(), points[k].contacts.end());
+        contacts.insert(contacts.end(), points[k].contact.begin(), points[k].contact.end());
         records[k].contact_offsets = {first, static_cast<std::int64_t>(contacts.size())};
       }
     }
@@ -92,7 +92,7 @@ class BallPores {
   // Of a point that there is.
   [[nodiscard]] py::tuple value(std::uint32_t point) const { return tuple_of(pores_.value(point)); }
   [[nodiscard]] py::tuple center(std::uint32_t point) const {
-    const auto [x, y, z] = pores_.position(point);
+    const auto [x, y, z] = pores_.center(point);
     return py::make_tuple(tuple_of(x), tuple_of(y), tuple_of(z));
   }
 
@@ -151,7 +151,7 @@ class BallPores {
  private:
   [[nodiscard]] BallPointRecord record_of(std::size_t place) const {
     const auto point = static_cast<std::uint32_t>(place);
-    const auto [x, y, z] = pores_.position(point);
+    const auto [x, y, z] = pores_.center(point);
     return {.index = static_cast<std::int8_t>(pores_.points()[place].index),
             .rank = pores_.points()[place].rank,
             .value = nearest_or_infinity(pores_.value(point)),
