@@ -84,7 +84,8 @@ std::string check_text(const val& content, const val& input, const val& claim_co
   files.points = read.text("name", "points");
   files.claim = said.text("name", "claim");
   files.check = options_of(said, read);
-  const AnyClaim claim = any_claim_in(bytes_of(claim_content), files.claim, said.text("format"), reading.unlimited);
+  const std::string format = said.word("format", {"pers", "pores"});
+  const AnyClaim claim = any_claim_in(bytes_of(claim_content), files.claim, format, reading.unlimited);
   if (const auto* pores = std::get_if<PoreClaim>(&claim)) {
     return report_text(judged_pores(files, *pores, bytes, reading, said));
   }
