@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "certify/check_run.h"
+#include "certify/claim_profile.h"
 #include "certify/claimed_geometry.h"
 #include "certify/finding_words.h"
 #include "certify/layer.h"

@@ -86,8 +86,8 @@ Json finding_field(const Finding& finding, const AtomNames* atoms) {
                 {"truth", finding.truth},
                 {"sentence", finding.sentence}};
   if (atoms != nullptr) {
-    field["atoms"] = Json::array();
-    for (const PointId row : finding.contact) field["atoms"].push_back(atoms->text(row));
+    field["names"] = Json::array();
+    for (const PointId row : finding.contact) field["names"].push_back(atoms->text(row));
   }
   return field;
 }

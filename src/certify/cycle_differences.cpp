@@ -14,6 +14,7 @@
 #include "certify/layer.h"
 #include "certify/matching.h"
 #include "geometry/floating_point.h"
+#include "morse/dependent_sums.h"
 #include "morse/record_finder.h"
 
 namespace flowcert {

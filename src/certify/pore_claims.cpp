@@ -118,7 +118,7 @@ class PoreJudge {
     TruePore truth{kind, std::nullopt, -1, points, {}};
     if (point) truth.diameter = QuadraticNumber(Rational(2)) * pores_.value(*point);
     if (point) truth.near = nearest_or_infinity(*truth.diameter);
-    for (const std::uint32_t each : points) truth.positions.push_back(doubles(pores_.position(each)));
+    for (const std::uint32_t each : points) truth.positions.push_back(doubles(pores_.center(each)));
     truth_.push_back(std::move(truth));
   }
 
@@ -138,7 +138,7 @@ class PoreJudge {
   [[nodiscard]] bool is_there(const ClaimedPore& claimed, const TruePore& truth) const {
     return std::ranges::all_of(claimed.places, [&](const ClaimedPorePlace& place) {
       for (std::size_t at = 0; at < truth.points.size(); ++at) {
-        if (!std::ranges::includes(pores_.points()[truth.points[at]].contacts, place.balls)) continue;
+        if (!std::ranges::includes(pores_.points()[truth.points[at]].contact, place.balls)) continue;
         if (!place.position || is_at(place, truth, at)) return true;
       }
       return false;
@@ -149,7 +149,7 @@ class PoreJudge {
     const double size = std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]) + std::abs(truth.near);
     const double away = distance(claimed.near, x);
     if (std::isfinite(away) && away > 2 * (tolerance_ + kMore) * size + kTiny) return false;
-    const auto exact = pores_.position(truth.points[at]);
+    const auto exact = pores_.center(truth.points[at]);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!is_right((*claimed.position)[axis], exact[axis], allowance(truth))) return false;
     }
@@ -259,7 +259,7 @@ class PoreJudge {
                        names_text(contacts(truth)));
   }
   [[nodiscard]] const std::vector<std::uint32_t>& contacts(const TruePore& truth) const {
-    return pores_.points()[truth.points[0]].contacts;
+    return pores_.points()[truth.points[0]].contact;
   }
 
   // What a critical point is.
@@ -274,7 +274,7 @@ class PoreJudge {
       if (has(pores_.chambers()[number].handles)) what = fmt::format("a handle of chamber {}, and no window", number);
     }
     if (std::ranges::find(pores_.windows(), point, &PoreWindow::point) != pores_.windows().end()) what = "a window";
-    return fmt::format("a critical point of index {} with atoms {}, {}", at.index, names_text(at.contacts), what);
+    return fmt::format("a critical point of index {} with atoms {}, {}", at.index, names_text(at.contact), what);
   }
 
   // What is where nothing of the kind is.
@@ -282,7 +282,7 @@ class PoreJudge {
     const ClaimedPorePlace& place = claimed.places[0];
     if (!place.position) {
       const auto found = std::ranges::find_if(
-          pores_.points(), [&](const BallPoint& point) { return std::ranges::includes(point.contacts, place.balls); });
+          pores_.points(), [&](const BallPoint& point) { return std::ranges::includes(point.contact, place.balls); });
       if (found == pores_.points().end()) return "no critical point has all of these atoms";
       const auto point = static_cast<std::uint32_t>(found - pores_.points().begin());
       return fmt::format("{}, diameter {}", text_of(point), length_text(2 * values()[point]));

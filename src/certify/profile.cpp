@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "certify/claim_profile.h"
 #include "certify/layer.h"
 #include "flowcert/check.h"
 
@@ -82,8 +83,8 @@ std::vector<std::string> Profile::parts() const {
   return names;
 }
 
-Profile profile_of(const Claim& claim, const ClaimedIndices& indices, bool has_points, bool is_exact,
-                   int highest_level) {
+Profile certify::profile_of(const Claim& claim, const ClaimedIndices& indices, bool has_points, bool is_exact,
+                            int highest_level) {
   Profile profile;
   profile.set_exact(is_exact);
   profile.set_indices(indices);

@@ -205,9 +205,6 @@ void write_check_junit(std::ostream& out, const CheckedFiles& files, const Check
 
 namespace {
 
-// With a larger tolerance, nearly every claim is ambiguous.
-constexpr double kLargestTolerance = 1e-3;
-
 // Returns what is wrong, or nothing. CLI11's own range check accepts nan.
 std::string complaint_about_tolerance(const std::string& word) {
   const NumberText number = parse_number(word);

@@ -95,8 +95,8 @@ void print_json(const Explanation& explanation, const Input& input) {
   json["squared_radius"] = explanation.sphere ? Json(to_text(explanation.sphere->squared_radius)) : Json(nullptr);
   json["contact"] = explanation.contact;
   if (!atoms.empty()) {
-    json["atoms"] = Json::array();
-    for (const PointId row : explanation.contact) json["atoms"].push_back(atoms.text(row));
+    json["names"] = Json::array();
+    for (const PointId row : explanation.contact) json["names"].push_back(atoms.text(row));
   }
   json["squared_distance"] = explanation.sphere ? Json(to_text(explanation.squared_distance)) : Json(nullptr);
   json["driver"] = explanation.driver ? center_field(*explanation.driver) : Json(nullptr);

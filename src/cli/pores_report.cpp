@@ -182,12 +182,12 @@ class Report {
     return fmt::format("{}", fmt::join(rooms, ", "));
   }
   [[nodiscard]] std::string atoms_text(std::uint32_t point) const {
-    return some_atoms_text(atoms_, pores_.points()[point].contacts, report_.shows_all);
+    return some_atoms_text(atoms_, pores_.points()[point].contact, report_.shows_all);
   }
 
   // Adds three cells.
   void add_place(Table& table, std::uint32_t point) const {
-    for (const QuadraticNumber& coordinate : pores_.position(point)) {
+    for (const QuadraticNumber& coordinate : pores_.center(point)) {
       const double x = nearest_or_infinity(coordinate);
       table.cell(std::fabs(x) < 1e6 ? fmt::format("{:.3f}", x) : fmt::format("{:.4g}", x));
     }
@@ -238,7 +238,7 @@ void print_cavities_report(const CavitiesReport& report) {
                 2);
   Table table("rrl", {"cavity", "atoms", ""});
   for (std::size_t number = 0; number < shown; ++number) {
-    const auto& atoms = what.cavities[number].atoms;
+    const auto& atoms = what.cavities[number].lining;
     table.row(std::to_string(number)).cell(atoms.size()).cell(some_atoms_text(what.atoms, atoms, report.shows_all));
   }
   table.print();

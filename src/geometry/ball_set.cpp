@@ -36,7 +36,7 @@ void BallSet::scale_all() {
     if (scale % bottom != 0) scale = lcm(scale, bottom);
   };
   for (const Ball& ball : balls_) {
-    for (const Rational& coordinate : ball.centre) widen(coordinate);
+    for (const Rational& coordinate : ball.center) widen(coordinate);
     widen(ball.radius);
   }
   scale_ = Rational(scale);
@@ -44,7 +44,7 @@ void BallSet::scale_all() {
   rounded_.reserve(size());
   for (const Ball& ball : balls_) {
     scaled_.push_back(
-        {ball.centre[0] * scale_, ball.centre[1] * scale_, ball.centre[2] * scale_, ball.radius * scale_});
+        {ball.center[0] * scale_, ball.center[1] * scale_, ball.center[2] * scale_, ball.radius * scale_});
     std::array<double, 4> near{};
     for (std::size_t k = 0; k < 4; ++k) {
       near[k] = nearest_or_infinity(scaled_.back()[k]);

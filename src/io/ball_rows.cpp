@@ -48,7 +48,7 @@ void BallRows::add(const Point& point) {
 void BallRows::add(RationalPoint centre) {
   const bool is_one = radii_.source() == AtomRadii::Source::kOne, is_said = !next_radius_.empty();
   balls_.push_back({std::move(centre), is_one ? radii_.one() : is_said ? exact_number(next_radius_, place_) : 0});
-  for (const Rational& coordinate : balls_.back().centre) require_short(coordinate);
+  for (const Rational& coordinate : balls_.back().center) require_short(coordinate);
   if (!radii_.needs_elements()) take_radius(balls_.back().radius);
 }
 

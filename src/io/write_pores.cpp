@@ -107,15 +107,15 @@ class PoreFields {
 
  private:
   [[nodiscard]] const std::vector<std::uint32_t>& contacts(std::uint32_t point) const {
-    return pores_.points()[point].contacts;
+    return pores_.points()[point].contact;
   }
 
   [[nodiscard]] Json point(std::uint32_t point) const {
     Json json;
     json["contact"] = contacts(point);
-    if (what_.atoms != nullptr) json["atoms"] = atom_texts(*what_.atoms, contacts(point));
+    if (what_.atoms != nullptr) json["names"] = atom_texts(*what_.atoms, contacts(point));
     json["center"] = Json::array();
-    for (const QuadraticNumber& coordinate : pores_.position(point)) json["center"].push_back(number_field(coordinate));
+    for (const QuadraticNumber& coordinate : pores_.center(point)) json["center"].push_back(number_field(coordinate));
     return json;
   }
 
@@ -126,7 +126,7 @@ class PoreFields {
 std::string csv_number(const QuadraticNumber& number) { return io::csv_number(nearest_or_infinity(number)); }
 
 std::string csv_position(const Pores& pores, std::uint32_t point) {
-  const auto [x, y, z] = pores.position(point);
+  const auto [x, y, z] = pores.center(point);
   return fmt::format("{},{},{}", csv_number(x), csv_number(y), csv_number(z));
 }
 
@@ -144,7 +144,7 @@ std::string csv_atoms(const AtomNames* atoms, const std::vector<std::uint32_t>& 
 std::string csv_atoms(const PoresToWrite& what, std::span<const std::uint32_t> points) {
   std::set<std::uint32_t> ids;
   for (const std::uint32_t point : points) {
-    const auto& contacts = what.pores.points()[point].contacts;
+    const auto& contacts = what.pores.points()[point].contact;
     ids.insert(contacts.begin(), contacts.end());
   }
   return csv_atoms(what.atoms, {ids.begin(), ids.end()});
@@ -253,8 +253,8 @@ void write_cavities(std::ostream& out, const CavitiesToWrite& what) {
   json["cavities"] = Json::array();
   for (const BallCavity& cavity : what.cavities) {
     Json one;
-    one["lining"] = cavity.atoms;
-    if (what.atoms != nullptr) one["atoms"] = atom_texts(*what.atoms, cavity.atoms);
+    one["lining"] = cavity.lining;
+    if (what.atoms != nullptr) one["names"] = atom_texts(*what.atoms, cavity.lining);
     json["cavities"].push_back(std::move(one));
   }
   out << json.dump() << '\n';
@@ -263,7 +263,7 @@ void write_cavities(std::ostream& out, const CavitiesToWrite& what) {
 void write_cavities_csv(std::ostream& out, const CavitiesToWrite& what) {
   out << "cavity,lining,atoms" << (what.atoms == nullptr ? "\n" : ",names\n");
   for (std::size_t number = 0; number < what.cavities.size(); ++number) {
-    const auto& atoms = what.cavities[number].atoms;
+    const auto& atoms = what.cavities[number].lining;
     out << fmt::format("{},{},{}\n", number, atoms.size(), csv_atoms(what.atoms, atoms));
   }
 }
@@ -272,7 +272,7 @@ void write_cavity_atoms_csv(std::ostream& out, const CavitiesToWrite& what) {
   const geometry::IeeeDoubles ieee;
   out << "cavity,row," << (what.atoms == nullptr ? "" : "chain,residue,number,atom,element,") << "x,y,z,radius\n";
   for (std::size_t number = 0; number < what.cavities.size(); ++number) {
-    for (const std::uint32_t row : what.cavities[number].atoms) {
+    for (const std::uint32_t row : what.cavities[number].lining) {
       out << fmt::format("{},{},", number, row);
       if (what.atoms != nullptr) {
         const AtomName name = (*what.atoms)[row];

@@ -20,14 +20,14 @@ struct Plane {
 };
 template <class Number>
 Plane<Number> plane_of(const BallSet& balls, const Three& corners) {
-  const Vector3<Number> a = number_ball<Number>(balls, corners[0]).centre;
+  const Vector3<Number> a = number_ball<Number>(balls, corners[0]).center;
   return {a,
-          cross(number_ball<Number>(balls, corners[1]).centre - a, number_ball<Number>(balls, corners[2]).centre - a)};
+          cross(number_ball<Number>(balls, corners[1]).center - a, number_ball<Number>(balls, corners[2]).center - a)};
 }
 // Times the length of the normal.
 template <class Number>
 Number height(const BallSet& balls, const Plane<Number>& plane, std::uint32_t id) {
-  return dot(number_ball<Number>(balls, id).centre - plane.through, plane.normal);
+  return dot(number_ball<Number>(balls, id).center - plane.through, plane.normal);
 }
 int side_of(const BallSet& balls, const Three& corners, std::uint32_t id) {
   const int sign = height(balls, plane_of<BoundedDouble>(balls, corners), id).certain_sign();
@@ -334,7 +334,7 @@ std::vector<BallAscents::Beyond> BallAscents::farthest(const BallEdge& edge, con
   const auto far_of = [&]<class Number>(const Three& facet) {
     const Touching<Number> made = touching_of<Number>(edge);
     const Plane<Number> plane = plane_of<Number>(balls_, facet);
-    const Vector3<Number> from = number_ball<Number>(balls_, edge.balls[0]).centre - plane.through;
+    const Vector3<Number> from = number_ball<Number>(balls_, edge.balls[0]).center - plane.through;
     return std::pair<Number, Number>(dot(from + made.a, plane.normal), dot(made.b, plane.normal));
   };
   const auto compare_squares = [&](const Beyond& one, const Beyond& two) {

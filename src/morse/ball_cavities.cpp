@@ -35,7 +35,7 @@ struct Sites {
         const Ball& ball = balls[id];
         if (ball.radius == balls[outer].radius) {
           twins[outer].push_back(id);
-        } else if (const auto [at, is_new] = inside.try_emplace(ball.centre, id); at->second != id) {
+        } else if (const auto [at, is_new] = inside.try_emplace(ball.center, id); at->second != id) {
           const int sign = ball.radius.compare(balls[at->second].radius);
           if (sign > 0) at->second = id;
           if (sign == 0) twins[at->second].push_back(id);
@@ -76,13 +76,13 @@ class Components {
     for (std::uint32_t cell = 0; cell < outside_; ++cell) {
       if (is_in_cavity(cell)) cavities_[sets_.find(cell)];
     }
-    if (!cavities_.empty()) add_atoms();
+    if (!cavities_.empty()) add_linings();
     std::vector<BallCavity> made;
     for (auto& [root, cavity] : cavities_) {
-      geometry::keep_unique(cavity.atoms);
+      geometry::keep_unique(cavity.lining);
       made.push_back(std::move(cavity));
     }
-    std::ranges::sort(made, {}, &BallCavity::atoms);
+    std::ranges::sort(made, {}, &BallCavity::lining);
     return made;
   }
 
@@ -93,7 +93,7 @@ class Components {
     return signs_[cell] >= 0 && sets_.find(cell) != sets_.find(outside_);
   }
 
-  void add_atoms() {
+  void add_linings() {
     std::map<std::uint32_t, Ids> stars;  // the tetrahedra around each ball
     for (std::uint32_t cell = 0; cell < outside_; ++cell) {
       for (const std::uint32_t id : slice_.tetrahedra[cell]) stars[id].push_back(cell);
@@ -105,10 +105,10 @@ class Components {
       }
       if (roots.empty() || !is_in_its_cell(id, star)) continue;
       for (const std::uint32_t root : roots) {
-        Ids& atoms = cavities_[root].atoms;
-        atoms.push_back(id);
+        Ids& lining = cavities_[root].lining;
+        lining.push_back(id);
         if (const auto twins = sites_.twins.find(id); twins != sites_.twins.end()) {
-          atoms.insert(atoms.end(), twins->second.begin(), twins->second.end());
+          lining.insert(lining.end(), twins->second.begin(), twins->second.end());
         }
       }
     }

@@ -25,7 +25,7 @@ Vector3<QuadraticNumber> lifted(const Vector3<Rational>& v) { return {v.x, v.y, 
 
 template <class Number>
 Number excess(const Vector3<Number>& x, const Number& s, const NumberBall<Number>& ball) {
-  const Vector3<Number> way = x - ball.centre;
+  const Vector3<Number> way = x - ball.center;
   const Number reach = s + ball.radius;
   return dot(way, way) - reach * reach;
 }
@@ -181,7 +181,7 @@ class Search {
       rest = rest - weight;
     }
     if (!take(rest.certain_sign())) return -1;
-    const Vector3<BoundedDouble> centre = number_ball<BoundedDouble>(balls_, face[0]).centre;
+    const Vector3<BoundedDouble> centre = number_ball<BoundedDouble>(balls_, face[0]).center;
     const RoundedPlace place(centre + made.a + s * made.b, s, greatest_);
     const auto is_nearer = [&](std::uint32_t id) {
       return std::ranges::find(face, id) == face.end() && !take(place.side(balls_.rounded(id)));
@@ -221,7 +221,7 @@ class Search {
     if (rest.sign() <= 0) return;
     ExactPlace place;
     place.s = s;
-    place.x = lifted(number_ball<Rational>(balls_, face[0]).centre + made.a) + s * lifted(made.b);
+    place.x = lifted(number_ball<Rational>(balls_, face[0]).center + made.a) + s * lifted(made.b);
     place.near_s = bounded(s);
     place.near_x = {bounded(place.x.x), bounded(place.x.y), bounded(place.x.z)};
     for (const std::uint32_t id : diagram_.neighbours(least_connected(face))) {
@@ -256,7 +256,7 @@ class Search {
   // the other contacts, projected to what is orthogonal to the face, are a linear subspace's positive span.
   std::optional<std::size_t> index_of(Face face, const Ids& contacts) const {
     const std::size_t dimension = face.size() - 1;
-    const auto centre = [&](std::uint32_t id) { return number_ball<Rational>(balls_, id).centre; };
+    const auto centre = [&](std::uint32_t id) { return number_ball<Rational>(balls_, id).center; };
     const Vector3<Rational> o = centre(face[0]);
     std::vector<Vector3<Rational>> across;
     for (const std::uint32_t id : contacts) {

@@ -26,7 +26,7 @@ namespace flowcert::morse {
 template <class Number>
 [[nodiscard]] std::pair<Number, Number> lead(const Touching<Number>& made, const NumberBall<Number>& p,
                                              const NumberBall<Number>& q) {
-  const Vector3<Number> w = q.centre - p.centre;
+  const Vector3<Number> w = q.center - p.center;
   const Number first = dot(w, w) - Number(2) * dot(made.a, w) + (p.radius - q.radius) * (p.radius + q.radius);
   return {first, Number(2) * ((p.radius - q.radius) - dot(made.b, w))};
 }

@@ -26,7 +26,7 @@ using geometry::Vector3;
 // A ball in a number type.
 template <class Number>
 struct NumberBall {
-  Vector3<Number> centre;
+  Vector3<Number> center;
   Number radius;
 };
 template <class Number>
@@ -84,7 +84,7 @@ template <class Number>
   std::array<Number, 3> one, other;  // <x - p, e> = one + s other
   const Number r = balls[0].radius;
   for (std::size_t k = 0; k < count; ++k) {
-    e[k] = balls[k + 1].centre - balls[0].centre;
+    e[k] = balls[k + 1].center - balls[0].center;
     const Number& q = balls[k + 1].radius;
     one[k] = (dot(e[k], e[k]) + (r - q) * (r + q)) * Number(0.5);
     other[k] = r - q;

@@ -12,6 +12,7 @@
 #include "geometry/nearest_samples.h"
 #include "geometry/rational_point.h"
 #include "morse/chain_boundary.h"
+#include "morse/dependent_sums.h"
 #include "morse/layer.h"
 #include "morse/record_finder.h"
 #include "morse/toggle.h"
@@ -31,12 +32,6 @@ bool is_cycle(const std::set<SampleEdge>& edges) {
     toggle(odd, q);
   }
   return odd.empty();
-}
-
-std::vector<std::uint32_t> sum_of(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
-  std::vector<std::uint32_t> sum;
-  std::ranges::set_symmetric_difference(a, b, std::back_inserter(sum));
-  return sum;
 }
 
 }  // namespace
@@ -196,17 +191,6 @@ bool LoopClasses::are_homologous(std::span<const SampleEdge> a, std::span<const 
   const std::vector<std::uint32_t> deaths = deaths_of(as_index_1_points(sum)).value();
   return std::ranges::all_of(
       deaths, [&](std::uint32_t death) { return persistence_.squared_distances().compare(death, level) <= 0; });
-}
-
-std::vector<bool> dependent_sums(std::span<const std::vector<std::uint32_t>> sums) {
-  std::map<std::uint32_t, std::vector<std::uint32_t>> kept;  // by the last item
-  std::vector<bool> are_dependent;
-  for (std::vector<std::uint32_t> sum : sums) {
-    while (!sum.empty() && kept.contains(sum.back())) sum = sum_of(sum, kept.at(sum.back()));
-    are_dependent.push_back(sum.empty());
-    if (!sum.empty()) kept.emplace(sum.back(), sum);
-  }
-  return are_dependent;
 }
 
 }  // namespace flowcert

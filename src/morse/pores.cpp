@@ -382,10 +382,10 @@ QuadraticNumber Pores::value(std::uint32_t point) const {
   return roots_of({made.c2, made.c1, made.c0})[carrier.root] / QuadraticNumber(balls_->scale());
 }
 
-std::array<QuadraticNumber, 3> Pores::position(std::uint32_t point) const {
+std::array<QuadraticNumber, 3> Pores::center(std::uint32_t point) const {
   const Carrier& carrier = carriers_[point];
   const auto made = *touching<Rational>(*balls_, std::span(carrier.balls).first(carrier.count));
-  const Vector3<Rational> from = number_ball<Rational>(*balls_, carrier.balls[0]).centre + made.a;
+  const Vector3<Rational> from = number_ball<Rational>(*balls_, carrier.balls[0]).center + made.a;
   const QuadraticNumber s = roots_of({made.c2, made.c1, made.c0})[carrier.root], scale = balls_->scale();
   const auto place = [&](const Rational& one, const Rational& other) {
     return (QuadraticNumber(one) + QuadraticNumber(other) * s) / scale;

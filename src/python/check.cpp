@@ -1,5 +1,6 @@
 #include "check.h"
 
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -19,9 +20,9 @@ namespace py = pybind11;
 namespace {
 
 CheckOptions options_of(double tolerance, int highest_level, const std::vector<int>& indices) {
-  // With a larger tolerance, nearly every claim is ambiguous.
-  constexpr double kLargestTolerance = 1e-3;
-  if (!(0 <= tolerance && tolerance <= kLargestTolerance)) throw InvalidInput("tolerance must be from 0 to 0.001");
+  if (!(0 <= tolerance && tolerance <= kLargestTolerance)) {
+    throw InvalidInput(fmt::format("tolerance must be from 0 to {}", kLargestTolerance));
+  }
   if (highest_level < 1 || highest_level > kLevels) throw InvalidInput("highest_level must be from 1 to 5");
   CheckOptions options{.tolerance = tolerance, .highest_level = highest_level, .indices = {}};
   for (const int index : indices) {

@@ -29,7 +29,7 @@ StationaryRecord record_of(StationaryIndex index, const RoundedSphere& sphere) {
   const auto face = static_cast<std::int8_t>(index.face_dimension);
   return {.index = index.is_critical() ? face : std::int8_t{-1},
           .kind = {face, static_cast<std::int8_t>(index.hull_dimension)},
-          .position = sphere.center.coordinates(),
+          .center = sphere.center.coordinates(),
           .squared_distance = sphere.squared_radius};
 }
 
@@ -159,7 +159,7 @@ py::tuple Complex::orbit(const std::array<std::string, 3>& start) const {
 }
 
 void add_complex(py::module_& module) {
-  PYBIND11_NUMPY_DTYPE(StationaryRecord, index, kind, position, squared_distance, contact_offsets);
+  PYBIND11_NUMPY_DTYPE(StationaryRecord, index, kind, center, squared_distance, contact_offsets);
   PYBIND11_NUMPY_DTYPE(PairRecord, dimension, birth, death, birth_point, death_point);
   PYBIND11_NUMPY_DTYPE(ConnectionRecord, from, to, orbits, families);
   // Whatever modes another library has set for doubles, each call has the usual ones.
@@ -191,7 +191,7 @@ void add_complex(py::module_& module) {
       .def("is_morse_smale", &Complex::is_morse_smale, ieee)
       .def("represents", &Complex::represents, py::arg("loops"), py::arg("birth"), py::arg("death"),
            py::arg("squared_level"), ieee)
-      .def("homologous", &Complex::homologous, py::arg("loop"), py::arg("other"), py::arg("squared_radius"), ieee)
+      .def("homologous", &Complex::homologous, py::arg("loop"), py::arg("other"), py::arg("squared_level"), ieee)
       .def("cycles", &Complex::cycles, py::arg("dimension"), py::arg("longest"), py::arg("persistence"),
            py::arg("pair"), py::arg("level"), ieee)
       .def("pockets", &Complex::pockets, py::arg("persistence"), py::arg("probe"), ieee)

@@ -23,7 +23,7 @@ namespace flowcert::python {
 struct StationaryRecord {
   std::int8_t index = 0;  // -1: regular
   std::array<std::int8_t, 2> kind{};
-  std::array<double, 3> position{};
+  std::array<double, 3> center{};
   double squared_distance = 0;
   std::array<std::int64_t, 2> contact_offsets{};
 };
@@ -64,7 +64,7 @@ class Complex {
   [[nodiscard]] long long euler_sum() const;
   // The array of StationaryRecord, and that of all contact sets, one after the other.
   [[nodiscard]] pybind11::tuple stationary_points() const;
-  // (position, squared distance), of pairs of ints.
+  // (center, squared distance), of pairs of ints.
   [[nodiscard]] pybind11::tuple exact(std::size_t record) const;
 
   // [(dimension, (birth, death)), ...]
@@ -105,7 +105,7 @@ class Complex {
   using LoopEdges = std::vector<SampleEdge>;
   [[nodiscard]] bool represents(const std::vector<LoopEdges>& loops, std::uint32_t birth, std::uint32_t death,
                                 const std::optional<std::string>& squared_level) const;
-  [[nodiscard]] bool homologous(const LoopEdges& loop, const LoopEdges& other, const std::string& squared_radius) const;
+  [[nodiscard]] bool homologous(const LoopEdges& loop, const LoopEdges& other, const std::string& squared_level) const;
 
   // (pockets, outside, gates, largest_balls, squared_persistence), as Pockets has them (flowcert/_pockets.py).
   // persistence is a bound as commands take it, and the probe hexadecimal.

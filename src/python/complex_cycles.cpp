@@ -152,10 +152,10 @@ bool Complex::represents(const std::vector<LoopEdges>& loops, std::uint32_t birt
   return LoopClasses(complex_).represent(loops, {1, birth, death}, level);
 }
 
-bool Complex::homologous(const LoopEdges& loop, const LoopEdges& other, const std::string& squared_radius) const {
+bool Complex::homologous(const LoopEdges& loop, const LoopEdges& other, const std::string& squared_level) const {
   const ReleasedLock released;
   for (const LoopEdges* one : {&loop, &other}) require_rows(*one, complex_.points());
-  return LoopClasses(complex_).are_homologous(loop, other, rational_of(squared_radius));
+  return LoopClasses(complex_).are_homologous(loop, other, rational_of(squared_level));
 }
 
 }  // namespace flowcert::python

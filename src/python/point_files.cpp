@@ -44,7 +44,7 @@ py::tuple read_file(const std::string& path, const ReadingOptions& options, bool
   PointFile& file = read.file;
   py::list notes, balls;
   for (const ReadingNote& note : file.notes) notes.append(py::make_tuple(note.line, note.text));
-  for (const Ball& ball : read.balls) balls.append(py::make_tuple(ratios_of(ball.centre), ratio_of(ball.radius)));
+  for (const Ball& ball : read.balls) balls.append(py::make_tuple(ratios_of(ball.center), ratio_of(ball.radius)));
   const py::list names = with_atoms ? names_of(file.atoms) : py::list();
   return py::make_tuple(rows_of<double>(std::move(file.rows)), notes, py::cast(file.left_out), names, balls);
 }

@@ -52,7 +52,7 @@ struct BallPointRecord {
   std::int8_t index = 0;
   std::int64_t rank = 0;
   double value = 0;
-  std::array<double, 3> position{};
+  std::array<double, 3> center{};
   std::array<std::int64_t, 2> contact_offsets{};
 };
 
@@ -82,7 +82,7 @@ class BallPores {
       geometry::parallel_for(points.size(), threads_, [&](std::size_t k) { records[k] = record_of(k); });
       for (std::size_t k = 0; k < points.size(); ++k) {
         const auto first = static_cast<std::int64_t>(contacts.size());
-        contacts.insert(contacts.end(), points[k].contacts.begin(), points[k].contacts.end());
+        contacts.insert(contacts.end(), points[k].contact.begin(), points[k].contact.end());
         records[k].contact_offsets = {first, static_cast<std::int64_t>(contacts.size())};
       }
     }
@@ -91,8 +91,8 @@ class BallPores {
 
   // Of a point that there is.
   [[nodiscard]] py::tuple value(std::uint32_t point) const { return tuple_of(pores_.value(point)); }
-  [[nodiscard]] py::tuple position(std::uint32_t point) const {
-    const auto [x, y, z] = pores_.position(point);
+  [[nodiscard]] py::tuple center(std::uint32_t point) const {
+    const auto [x, y, z] = pores_.center(point);
     return py::make_tuple(tuple_of(x), tuple_of(y), tuple_of(z));
   }
 
@@ -151,11 +151,11 @@ class BallPores {
  private:
   [[nodiscard]] BallPointRecord record_of(std::size_t place) const {
     const auto point = static_cast<std::uint32_t>(place);
-    const auto [x, y, z] = pores_.position(point);
+    const auto [x, y, z] = pores_.center(point);
     return {.index = static_cast<std::int8_t>(pores_.points()[place].index),
             .rank = pores_.points()[place].rank,
             .value = nearest_or_infinity(pores_.value(point)),
-            .position = {nearest_or_infinity(x), nearest_or_infinity(y), nearest_or_infinity(z)}};
+            .center = {nearest_or_infinity(x), nearest_or_infinity(y), nearest_or_infinity(z)}};
   }
 
   BallSet balls_;
@@ -163,22 +163,22 @@ class BallPores {
   Pores pores_;
 };
 
-// [atoms, ...]
+// [lining, ...]
 py::list cavities_between(const std::vector<BallText>& rows, const std::string& probe) {
   std::vector<BallCavity> cavities;
   {
     const ReleasedLock released;
     cavities = ball_cavities(BallSet(balls_of(rows)), rational_of(probe));
   }
-  py::list atoms;
-  for (const BallCavity& cavity : cavities) atoms.append(places_of(cavity.atoms));
-  return atoms;
+  py::list linings;
+  for (const BallCavity& cavity : cavities) linings.append(places_of(cavity.lining));
+  return linings;
 }
 
 }  // namespace
 
 void add_pores(py::module_& module) {
-  PYBIND11_NUMPY_DTYPE(BallPointRecord, index, rank, value, position, contact_offsets);
+  PYBIND11_NUMPY_DTYPE(BallPointRecord, index, rank, value, center, contact_offsets);
   const py::call_guard<geometry::IeeeDoubles> ieee;
   py::class_<BallPores>(module, "Pores", "What flowcert.Pores asks.")
       .def(py::init([](const std::vector<BallText>& rows, const std::string& depth, unsigned threads) {
@@ -192,7 +192,7 @@ void add_pores(py::module_& module) {
       .def("hidden", &BallPores::hidden, ieee)
       .def("points", &BallPores::points, ieee)
       .def("value", &BallPores::value, py::arg("point"), ieee)
-      .def("position", &BallPores::position, py::arg("point"), ieee)
+      .def("center", &BallPores::center, py::arg("point"), ieee)
       .def("chambers", &BallPores::chambers, ieee)
       .def("depth", &BallPores::depth, py::arg("chamber"), ieee)
       .def("windows", &BallPores::windows, ieee)

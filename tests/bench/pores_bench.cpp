@@ -56,7 +56,7 @@ void print(const std::string& path) {
   const std::vector<Ball> atoms = balls_of(path);
   std::vector<Kernel::Weighted_point_3> sites;
   for (const Ball& atom : atoms) {
-    const auto& [x, y, z] = atom.centre;
+    const auto& [x, y, z] = atom.center;
     const double r = nearest_or_infinity(atom.radius);
     sites.emplace_back(Kernel::Point_3(nearest_or_infinity(x), nearest_or_infinity(y), nearest_or_infinity(z)), r * r);
   }

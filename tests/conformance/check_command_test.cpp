@@ -528,7 +528,7 @@ TEST(CheckCommand, TellsReasonsInPlainWords) {
       std::ranges::find_if(report["findings"], [](const json& one) { return one["reason"] == "missing"; });
   ASSERT_NE(missed, report["findings"].end());
   EXPECT_EQ((*missed)["sentence"], "You missed the saddle of triangle 0 1 2 (index 2). This is a bug.");
-  EXPECT_EQ((*missed)["atoms"], json({"C1", "N2", "O3"}));
+  EXPECT_EQ((*missed)["names"], json({"C1", "N2", "O3"}));
 }
 
 TEST(CheckCommand, ReadsFromStandardInput) {

@@ -438,7 +438,7 @@ TEST(PocketsCommand, NamesTheAtomsOfACavity) {
   ASSERT_EQ(json.status, 0) << json.err;
   const ordered_json cavity = ordered_json::parse(json.out)["cavities"][0];
   EXPECT_EQ(cavity["lining"], (ordered_json{0, 1, 2, 3}));
-  EXPECT_EQ(cavity["atoms"], (ordered_json{"A LIG 7 C1", "A LIG 7 C2", "A LIG 7 C3", "A LIG 7 N4"}));
+  EXPECT_EQ(cavity["names"], (ordered_json{"A LIG 7 C1", "A LIG 7 C2", "A LIG 7 C3", "A LIG 7 N4"}));
   EXPECT_EQ(cavities(file, "1", "2.3", {"--csv", "-"}).out,
             "cavity,lining,atoms,names\n0,4,0;1;2;3,A LIG 7 C1; A LIG 7 C2; A LIG 7 C3; A LIG 7 N4\n");
   EXPECT_EQ(lines_of(cavities(file, "1", "2.3", {"--atoms-csv", "-"}).out).back(), "0,3,A,LIG,7,N4,N,-2,-2,2,1");

@@ -47,9 +47,9 @@ Json fast_points(const Pores& pores) {
     const BallPoint& point = pores.points()[number];
     Json& one = points.emplace_back();
     one["index"] = point.index;
-    one["contact"] = point.contacts;
+    one["contact"] = point.contact;
     one["value"] = fast_number(pores.value(number));
-    for (const QuadraticNumber& coordinate : pores.position(number)) one["center"].push_back(fast_number(coordinate));
+    for (const QuadraticNumber& coordinate : pores.center(number)) one["center"].push_back(fast_number(coordinate));
   }
   return points;
 }
@@ -111,7 +111,7 @@ TEST(PoreVectors, HaveTheCage) {
     ++found;
     const std::vector<Ball> balls = fast_balls(one);
     for (std::size_t k = 0; k < cage.size(); ++k) {
-      EXPECT_EQ(balls[k].centre, cage[k].centre);
+      EXPECT_EQ(balls[k].center, cage[k].center);
       EXPECT_EQ(balls[k].radius, cage[k].radius);
     }
     EXPECT_NEAR(one["expected"]["pores"][0]["largest_cavity_diameter"].get<double>(), 5.397020, 5e-7);

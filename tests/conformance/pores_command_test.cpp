@@ -92,7 +92,7 @@ TEST(PoresCommand, WritesValuesOfTheCageExactly) {
   EXPECT_NEAR(peak["value"]["double"].get<double>(), std::sqrt(19.346891) - 1.7, 1e-14);
   ASSERT_EQ(peak["points"].size(), 1U);
   EXPECT_EQ(peak["points"][0]["contact"], (ordered_json{1, 15, 29, 43, 57, 71, 85, 99, 113, 127, 141, 155}));
-  EXPECT_EQ(peak["points"][0]["atoms"], ordered_json(Words(12, "C")));
+  EXPECT_EQ(peak["points"][0]["names"], ordered_json(Words(12, "C")));
   for (const ordered_json& coordinate : peak["points"][0]["center"]) {
     EXPECT_EQ(coordinate, ordered_json::parse(R"({"polynomial": ["5", "-62"], "root": 0, "double": 12.4})"));
   }
@@ -124,7 +124,7 @@ TEST(PoresCommand, FindsFourEqualWindowsOfTheCage) {
     EXPECT_EQ(window["value"], json["chambers"][0]["gate"]["value"]);
     EXPECT_NEAR(window["diameter"].get<double>(), 3.628998, 5e-7);
     EXPECT_EQ(window["contact"].size(), 3U);
-    EXPECT_EQ(window["atoms"], (ordered_json{"C", "C", "C"}));
+    EXPECT_EQ(window["names"], (ordered_json{"C", "C", "C"}));
     EXPECT_EQ(window["rooms"], (ordered_json{0, -1}));
   }
   EXPECT_EQ(json["windows"][0]["contact"], (ordered_json{1, 57, 113}));
@@ -188,7 +188,7 @@ TEST(PoresCommand, NamesAtomsAndResidues) {
   EXPECT_NE(done.out.find(",0;1;2;3,A GLY 7 CA; A GLY 7 CA; A GLY 8 CA; A GLY 8 CA,"), std::string::npos) << done.out;
   EXPECT_NE(pores(file, {"--radii", "bondi,C=1"}).out.find("  0 A GLY 7 CA,"), std::string::npos);
   const ordered_json json = json_of(file, {"--radii", "bondi,C=1"});
-  EXPECT_EQ(json["chambers"][0]["peak"]["points"][0]["atoms"],
+  EXPECT_EQ(json["chambers"][0]["peak"]["points"][0]["names"],
             (ordered_json{"A GLY 7 CA", "A GLY 7 CA", "A GLY 8 CA", "A GLY 8 CA"}));
   EXPECT_EQ(json["chambers"][0]["peak"]["value"]["polynomial"], (ordered_json{"1", "2", "-11"}));
 }

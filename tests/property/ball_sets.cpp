@@ -73,7 +73,7 @@ void move_a_little(Draw& draw, std::vector<Ball>& balls) {
   Ball& ball = balls[static_cast<std::size_t>(draw.below(static_cast<int>(balls.size())))];
   const Rational little = Rational(draw.below(2) == 0 ? 1 : -1) / Rational(0x1p60);
   const int choice = draw.below(4);
-  (choice == 3 ? ball.radius : ball.centre[static_cast<std::size_t>(choice)]) += little;
+  (choice == 3 ? ball.radius : ball.center[static_cast<std::size_t>(choice)]) += little;
 }
 
 // Each second corner of a box, and a ball that touches the widest probe in its middle but for 2^-60.
@@ -88,7 +88,7 @@ std::vector<Ball> plugged_box(Draw& draw) {
   for (unsigned corner = 0; corner < 8; ++corner) {
     if (std::popcount(corner) % 2 == 1) continue;
     Ball& ball = balls.emplace_back(Ball{{kMiddle, kMiddle, kMiddle}, radius});
-    for (std::size_t k = 0; k < 3; ++k) ball.centre[k] += (corner >> k) % 2 == 0 ? half[k] : -half[k];
+    for (std::size_t k = 0; k < 3; ++k) ball.center[k] += (corner >> k) % 2 == 0 ? half[k] : -half[k];
   }
   const Integer root = sqrt(Integer(Integer(square) << (2 * kDigits))) + draw.below(2);
   const Rational distance(root, Integer(1) << kDigits);
@@ -102,7 +102,7 @@ void touch_some(Draw& draw, std::vector<Ball>& balls) {
     const Ball& other = balls[static_cast<std::size_t>(draw.below(static_cast<int>(i)))];
     Rational square = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Rational difference = balls[i].centre[k] - other.centre[k];
+      const Rational difference = balls[i].center[k] - other.center[k];
       square += difference * difference;
     }
     const int root = static_cast<int>(std::lround(std::sqrt(square.convert_to<double>())));

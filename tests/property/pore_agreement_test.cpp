@@ -35,7 +35,7 @@ std::vector<oracle::Ball> told(const std::vector<Ball>& balls) {
   const auto number = [](const Rational& value) { return oracle::Rational(flowcert::to_text(value)); };
   std::vector<oracle::Ball> same;
   for (const Ball& ball : balls) {
-    same.push_back({{number(ball.centre[0]), number(ball.centre[1]), number(ball.centre[2])}, number(ball.radius)});
+    same.push_back({{number(ball.center[0]), number(ball.center[1]), number(ball.center[2])}, number(ball.radius)});
   }
   return same;
 }
@@ -52,9 +52,9 @@ void expect_same_points(const Pores& fast, const oracle::Pores& right) {
   for (std::uint32_t number = 0; number < right.points.size(); ++number) {
     const oracle::BallPoint& point = right.points[number];
     EXPECT_EQ(fast.points()[number].index, point.index);
-    EXPECT_EQ(places(fast.points()[number].contacts), point.contacts);
+    EXPECT_EQ(places(fast.points()[number].contact), point.contacts);
     EXPECT_EQ(told(fast.value(number)), point.value);
-    const auto position = fast.position(number);
+    const auto position = fast.center(number);
     for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(told(position[k]), point.position[k]);
   }
 }
@@ -165,7 +165,7 @@ void expect_same_cavities(const BallSet& balls, const std::vector<oracle::Ball>&
   for (const oracle::Rational& probe : probes_of(right)) {
     SCOPED_TRACE("probe " + probe.str());
     std::vector<oracle::Places> mine;
-    for (const BallCavity& cavity : ball_cavities(balls, Rational(probe.str()))) mine.push_back(places(cavity.atoms));
+    for (const BallCavity& cavity : ball_cavities(balls, Rational(probe.str()))) mine.push_back(places(cavity.lining));
     ASSERT_EQ(mine.size(), cavities_at(right, probe));
     if (mine.empty()) continue;
     EXPECT_EQ(mine, oracle::cavity_linings(same, right, probe));

@@ -34,7 +34,7 @@ std::vector<Ball> moved(const std::vector<Ball>& balls, const Move& move) {
   std::vector<Ball> after;
   for (const std::uint32_t id : move.ids) {
     Ball& ball = after.emplace_back(balls[id]);
-    for (std::size_t k = 0; k < 3; ++k) ball.centre[k] = ball.centre[k] * move.scale + move.offset[k];
+    for (std::size_t k = 0; k < 3; ++k) ball.center[k] = ball.center[k] * move.scale + move.offset[k];
     ball.radius *= move.scale;
   }
   return after;
@@ -76,7 +76,7 @@ class Statements {
 
   [[nodiscard]] std::string name(std::uint32_t point) const {
     std::set<std::uint32_t> before;
-    for (const std::uint32_t id : pores_.points()[point].contacts) before.insert(move_.ids[id]);
+    for (const std::uint32_t id : pores_.points()[point].contact) before.insert(move_.ids[id]);
     return fmt::format("{}", before);
   }
 
@@ -97,7 +97,7 @@ class Statements {
     const Rational back = 1 / move_.scale;
     std::string texts = fmt::format("point {} {} {} {}", name(point), pores_.points()[point].index, rank(point),
                                     text(pores_.value(point) * QuadraticNumber(back)));
-    const auto position = pores_.position(point);
+    const auto position = pores_.center(point);
     for (std::size_t k = 0; k < 3; ++k) {
       texts += ' ' + text((position[k] - QuadraticNumber(move_.offset[k])) * QuadraticNumber(back));
     }

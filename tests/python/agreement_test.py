@@ -58,7 +58,7 @@ def test_stationary_points(points, xyz):
         assert fc.contacts[slice(*point["contact_offsets"])].tolist() == record["contact"]
         position, squared_distance = fc.exact(i)
         assert (position, squared_distance) == (ratios(record["center"]), Fraction(record["squared_distance"]))
-        assert point["position"].tolist() == list(map(nearest, record["center_double"], position))
+        assert point["center"].tolist() == list(map(nearest, record["center_double"], position))
         assert point["squared_distance"] == nearest(record["squared_distance_double"], squared_distance)
     assert (fc.regular_points["index"] == -1).all() and (fc.critical_points["index"] >= 0).all()
     assert fc.stationary_points["contact_offsets"].ravel().tolist()[-1:] == [len(fc.contacts)][: len(records)]
@@ -280,6 +280,12 @@ def test_files_are_read_as_the_program_reads_them(tmp_path):
     path = path.rename(tmp_path / "caf\udce9.xyz")  # a name that is no UTF-8
     path.write_text("1 2 3\n")
     assert flowcert.read_points(path).tolist() == [[1, 2, 3]]
+    told = dict.fromkeys(["format", "columns", "z", "atoms", "chains", "models", "frame"])
+    assert flowcert.read_points(path, **told).tolist() == [[1, 2, 3]]
+    assert flowcert.read_points(path, format="table", columns=[3, "2", 1]).tolist() == [[3, 2, 1]]
+    for wrong in ({"format": 1}, {"z": "1"}, {"frame": 0}, {"frame": -1}, {"frame": 2**70}):
+        with pytest.raises(ValueError, match="^format must be a str, and z a number$|^frame must be 1 or more$"):
+            flowcert.read_points(path, **wrong)
 
 
 def test_selections_are_the_programs():

@@ -9,5 +9,5 @@ for i in range(len(points)):
         middle = (points[i] + points[j]) / 2
         squared_distances = ((points - middle) ** 2).sum(axis=1)
         if squared_distances.min() >= squared_distances[i]:  # should be: all others are farther
-            claim.append({"index": 1, "position": middle, "squared_distance": squared_distances[i]})
+            claim.append({"index": 1, "center": middle, "squared_distance": squared_distances[i]})
 print(flowcert.check(points, claim, indices=[1]))

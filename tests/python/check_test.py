@@ -2,12 +2,16 @@
 
 import io
 import json
+import pathlib
 from fractions import Fraction
 
 import flowcert
 import numpy as np
 import pytest
 from conftest import CUBE, flowcert_says
+from flowcert import _judge
+
+SCHEMA = pathlib.Path(__file__).parents[2] / "spec" / "schemas" / "exchange.schema.json"
 
 TRIANGLE = np.array([[0, 0, 0], [6, 0, 0], [2, 4, 0]], dtype=float)
 
@@ -21,7 +25,7 @@ def listed(fc, exact=True):
             {
                 "index": point["kind"] if point["index"] < 0 else point["index"],
                 "contact": fc.contacts[slice(*point["contact_offsets"])],
-                "position": position if exact else point["position"],
+                "center": position if exact else point["center"],
                 "squared_distance": squared_distance if exact else point["squared_distance"],
             }
         )
@@ -72,7 +76,7 @@ def test_reports_are_those_of_the_program(options, xyz, tmp_path):
 
 def test_statements_of_decimals_name_the_tolerance():
     points, claim = [[0, 0, 0], [2, 0, 0]], [{"index": 0, "contact": [0]}, {"index": 0, "contact": [1]}]
-    near, exact = [*claim, {"index": 1, "position": [1.0, 0, 0]}], [*claim, {"index": 1, "position": [1, 0, 0]}]
+    near, exact = [*claim, {"index": 1, "center": [1.0, 0, 0]}], [*claim, {"index": 1, "center": [1, 0, 0]}]
     assert flowcert.check(points, near).statement == "conforms to 1.2, points, approximate within 1e-09"
     assert flowcert.check(points, near, tolerance=1e-6).statement == "conforms to 1.2, points, approximate within 1e-06"
     for tolerance in (1.0000000000000002e-6, 1e-3):
@@ -104,12 +108,29 @@ def test_lists_of_dicts():
     assert str(exact) == "conforms (exact)"
 
 
+@pytest.mark.parametrize(
+    "options, highest",
+    [("", 3), ("--centers double", 3), ("--manifolds u2", 4), ("--manifolds all --skeletons --volumes exact", 5)],
+)
+def test_parsed_records_of_a_file_are_a_list_of_dicts(options, highest, xyz):
+    for points in (TRIANGLE, CUBE):
+        text = flowcert_says("compute", xyz(points), "-o", "-", *options.split())
+        report = flowcert.check(points, [json.loads(line) for line in text.splitlines()[1:]])
+        assert report.verdict == "conforms" and report.is_exact == ("double" not in options), str(report)
+        assert report.not_judged == () and report.levels == {level: level <= highest or None for level in range(1, 6)}
+
+
+def test_keys_of_records_are_those_of_the_schema():
+    record = json.loads(SCHEMA.read_text())["definitions"]["record"]
+    assert sorted(_judge._KEYS) == sorted(record["properties"])
+
+
 def test_structured_arrays():
     fc = flowcert.FlowComplex(flowcert.generate("right-angles", 2))
     assert not fc.check(fc.stationary_points).fails
     assert "missing" in {finding.reason for finding in fc.check(fc.critical_points[1:]).findings}
-    own = np.zeros(2, dtype=[("index", int), ("position", "f4", 3), ("label", "U8")])
-    own["position"][1] = [2, 0, 0]
+    own = np.zeros(2, dtype=[("index", int), ("center", "f4", 3), ("label", "U8")])
+    own["center"][1] = [2, 0, 0]
     assert fc.check(np.array(fc.critical_points[0]), indices=[3]).claimed_counts == (1, 0, 0, 0)
     assert fc.check(fc.critical_points[0], indices=[3]).claimed_counts == (1, 0, 0, 0)
     report = flowcert.check([[0, 0, 0], [2, 0, 0]], own)
@@ -119,7 +140,7 @@ def test_structured_arrays():
 
 def test_findings_say_which_record():
     claim = listed(flowcert.FlowComplex(TRIANGLE))
-    claim[4]["position"] = (3, Fraction(1, 10**6), 0)
+    claim[4]["center"] = (3, Fraction(1, 10**6), 0)
     report = flowcert.check(TRIANGLE, claim)
     assert report.fails
     (finding,) = report.findings
@@ -147,7 +168,7 @@ def test_incidences_are_claims():
 
 
 def test_numbers_of_more_digits_than_python_prints():
-    claim = [{"index": 0, "position": (Fraction(1, 3**10_000), 0, 0)}, {"index": 0, "contact": [1]}]
+    claim = [{"index": 0, "center": (Fraction(1, 3**10_000), 0, 0)}, {"index": 0, "contact": [1]}]
     report = flowcert.check([[0, 0, 0], [0, 1, 0]], claim, indices=[0])
     assert report.fails and report.findings[0].record == 0
 
@@ -159,14 +180,16 @@ def test_numbers_of_more_digits_than_python_prints():
         ({"index": 0}, "claim must be a list of dicts, a structured array, the name of a file, or its content"),
         (np.zeros((2, 3)), "claim must be a list of dicts, a structured array, the name of a file, or its content"),
         ([1], "claim[0] must be a dict"),
-        ([{"index": 0, "contact": [0]}, {"kind": 1}], "claim[1] has the key 'kind'; the keys are index, "),
-        ([{"index": 0, "position": [0, 0, float("nan")]}], "claim[0]: a position or squared distance must be finite "),
+        ([{"index": 0, "contact": [0]}, {"position": 1}], "claim[1] has the key 'position'; the keys are index, "),
+        ([{"index": 0, "contact": [0], "kind": {0}}], "claim[0]: Object of type set is not JSON serializable"),
+        ([{"index": 0, "center": ["a", 0, 0]}], "claim[0]: "),
+        ([{"index": 0, "center": [0, 0, float("nan")]}], "claim[0]: center, squared_distance and volume must be "),
         ([{"index": 0.5, "contact": [0]}], "claim[0]: an index or a row must be an integer, not 0.5"),
         ([{"index": 0, "contact": [0]}, {"index": 4, "contact": [0]}], "claim[1]: "),
         ([{"index": 0, "contact": [3]}], "claim[0]: there is no point 3; the ids are 0 to 2"),
         ([{"index": 0}], "claim[0]: "),
-        ([{"index": 0, "position": [0, 0]}], "claim[0]: "),
-        ([{"index": 0, "position": [np.longdouble("1e4000"), 0, 0]}], "claim[0]: a position or squared distance must "),
+        ([{"index": 0, "center": [0, 0]}], "claim[0]: "),
+        ([{"index": 0, "center": [np.longdouble("1e4000"), 0, 0]}], "claim[0]: center, squared_distance and "),
         (b"0 0 0\n", "claim:1: "),
         (b"\xff\xfe\n", r"claim:1: not an index, 0 to 3: '\xff\xfe'"),
         (b"{\n", "claim:1: "),

@@ -24,7 +24,7 @@ def test_a_square():
     [loop] = fc.cycles(level="birth")
     assert loop.polygons[0].tolist() == [0, 1, 2, 3]
     assert loop.edges.tolist() == [[0, 1], [0, 3], [1, 2], [2, 3]]
-    assert (loop.squared_level, loop.length) == (1, 8.0)
+    assert (loop.squared_level, loop.loop_length) == (1, 8.0)
     assert contacts(fc, loop.saddles) == [[0, 1, 2, 3]]
     # Its boundary is the loop, in halves of edges.
     edges = Counter(tuple(sorted(edge)) for face in loop.surface.faces for edge in zip(face, np.roll(face, -1)))
@@ -71,7 +71,7 @@ def test_cycles_are_those_of_the_program(tmp_path_factory, points, dimension, le
             assert cycle.edges.tolist() == other["edges"]
             assert [polygon.tolist() for polygon in cycle.polygons] == other["polygons"]
             assert contacts(fc, cycle.saddles) == other["surface"]
-            assert cycle.length == other["loop_length"]
+            assert cycle.loop_length == other["loop_length"]
         else:
             assert contacts(fc, cycle.maxima) == other["maxima"]
             assert contacts(fc, cycle.cell) == [part["contact"] for part in other["cell"]]

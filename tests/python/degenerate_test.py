@@ -53,7 +53,7 @@ def test_invariants(points):
                         for row in nearest})  # fmt: skip
         contact = fc.contacts[slice(*point["contact_offsets"])].tolist()
         assert contact == names
-        assert [rounded(x) for x in position] == point["position"].tolist()
+        assert [rounded(x) for x in position] == point["center"].tolist()
         assert rounded(squared_distance) == point["squared_distance"]
 
 
@@ -111,7 +111,7 @@ def test_its_own_answer_conforms(points):
     claim = []
     for i, point in enumerate(fc.critical_points):
         position, squared_distance = fc.exact(i)
-        claim.append({"index": point["index"], "position": position, "squared_distance": squared_distance})
+        claim.append({"index": point["index"], "center": position, "squared_distance": squared_distance})
     report = fc.check(claim)
     assert report.verdict in ("conforms", "conforms where determined"), str(report)
     if claim:

@@ -53,6 +53,12 @@ def test_every_part_has_a_docstring_and_types(name, part):
         assert hints.return_annotation is not inspect.Signature.empty
         for parameter in list(hints.parameters.values()):
             assert parameter.name == "self" or parameter.annotation is not inspect.Parameter.empty
+            assert not isinstance(parameter.default, bool) or parameter.kind == parameter.KEYWORD_ONLY
+
+
+def test_all_has_all_public_names():
+    parts = {name for name, part in vars(flowcert).items() if not (name.startswith("_") or inspect.ismodule(part))}
+    assert parts == {name for name in flowcert.__all__ if not name.startswith("_")}
 
 
 def test_arrays_have_shapes_and_units_in_their_docstrings():

@@ -41,7 +41,7 @@ def test_long_numbers_are_claims_and_starts():
     claim = []
     for i, point in enumerate(fc.critical_points):
         position, squared_distance = fc.exact(i)
-        claim.append({"index": point["index"], "position": position, "squared_distance": squared_distance})
+        claim.append({"index": point["index"], "center": position, "squared_distance": squared_distance})
     report = fc.check(claim)
     assert report.verdict == "conforms" and report.is_exact
     position, _ = fc.exact(len(fc.critical_points) - 1)

@@ -19,8 +19,9 @@ points = np.random.default_rng(41).random((1500, 3))
 
 
 def digest(fc):
-    fc.stationary_points, fc.unstable_lines(), fc.volumes, fc.persistence(), fc.pockets(), fc.unstable_surface(2000, True)
-    parts = [fc.stationary_points["position"].tobytes(), fc.volumes.tobytes(), repr(fc.persistence()).encode()]
+    fc.stationary_points, fc.unstable_lines(), fc.volumes, fc.persistence(), fc.pockets()
+    fc.unstable_surface(2000, exact=True)
+    parts = [fc.stationary_points["center"].tobytes(), fc.volumes.tobytes(), repr(fc.persistence()).encode()]
     return hashlib.sha256(b"".join(parts)).hexdigest()
 
 

@@ -226,5 +226,5 @@ def test_subsets_keep_their_contact_sets():
     assert len(maximum) == 1
     first, last = maximum[0]["contact_offsets"]
     assert fc.contacts[first:last].tolist() == list(range(8))
-    assert maximum[0]["position"].tolist() == [0.5, 0.5, 0.5]
+    assert maximum[0]["center"].tolist() == [0.5, 0.5, 0.5]
     assert maximum[0]["squared_distance"] == 0.75

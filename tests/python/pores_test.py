@@ -84,7 +84,7 @@ def test_an_octahedron():
     assert made.points["rank"].tolist() == [0] + [1] * 8 + [2] * 12
     assert made.points["value"][[0, 1, 9]].tolist() == [1.5, float(chamber.gate), float(made.exact(9)[1])]
     assert made.exact(9)[1].polynomial == (4, 4, -7)  # sqrt(2) - 1/2
-    assert made.points["position"][9:].round(12).tolist().count([1, 1, 0]) == 1
+    assert made.points["center"][9:].round(12).tolist().count([1, 1, 0]) == 1
     assert made.cavities.tolist() == [[1, 0]] and made.vestibules == [] and len(chamber.windows) == 8
     assert [(step.polynomial, count) for step, count in made.cavity_steps()] == [((2, -3), 1), ((12, 12, -29), 0)]
     assert [made.cavities_at(s) for s in (0, "1.1329", "1.133", 1.5, 2)] == [0, 0, 1, 1, 0]
@@ -161,15 +161,14 @@ def test_files_are_read_with_the_words_of_the_commands(tmp_path):
         assert flowcert.read_balls(crystal, "bondi,Fe=2.04", finite=True)[1].tolist() == [Fraction("2.04")]
 
 
-def test_cavities_of_a_complex_whose_points_have_radii():
-    fc = flowcert.FlowComplex(FOUR)
-    found = [[rows.tolist() for rows in fc.pockets(radii=1, probe=probe)] for probe in ("2.2", "2.4", "2.6")]
-    assert found == [[], [[0, 1, 2, 3]], []]
-    for wrong in ({"radii": 1}, {"radii": 1, "probe": 1, "persistence": 0}):
-        with pytest.raises(ValueError, match="^radii: with a probe, and without a persistence$"):
-            fc.pockets(**wrong)
+def test_cavities_for_one_probe():
+    twice = FOUR + FOUR[:1]  # repeated rows are balls of their own
+    found = [flowcert.cavities(twice, "1", probe) for probe in (2.2, Fraction(12, 5), "2.6")]
+    assert [[rows.tolist() for rows in linings] for linings in found] == [[], [[0, 1, 2, 3, 4]], []]
     with pytest.raises(ValueError, match="^radius 1: 0 is not above 0$"):
-        fc.pockets(radii=[1, 0, 1, 1], probe=1)
+        flowcert.cavities(FOUR, [1, 0, 1, 1], 1)
+    with pytest.raises(ValueError, match="^probe: not 0 or more$"):
+        flowcert.cavities(FOUR, 1, -1)
 
 
 # ---- What the program says
@@ -201,7 +200,7 @@ def test_pores_are_those_of_the_program(tmp_path_factory, balls, probe):
             position, value = made.exact(place)
             assert same(value) == number(witnesses["value"])
             assert list(map(same, position)) == list(map(number, point["center"]))
-            assert made.points["position"][place].tolist() == [x["double"] for x in point["center"]]
+            assert made.points["center"][place].tolist() == [x["double"] for x in point["center"]]
             assert made.points["value"][place] == value.double
 
     assert len(made.chambers) == len(said["chambers"]) and len(made.windows) == len(said["windows"])
@@ -225,7 +224,7 @@ def test_pores_are_those_of_the_program(tmp_path_factory, balls, probe):
     assert made.largest_cavity_diameter == said["largest_cavity_diameter"]
     assert made.pore_limiting_diameter == said["pore_limiting_diameter"]
     count = made.cavities_at(probe)
-    assert count == said["cavities_at_probe"] == len(flowcert.FlowComplex(points).pockets(radii=radii, probe=probe))
+    assert count == said["cavities_at_probe"] == len(flowcert.cavities(points, radii, probe))
     step = [cavities for up_to, cavities in made.cavity_steps() if up_to >= Fraction(probe)]
     assert count == (step[-1] if step else 0)
 

@@ -43,10 +43,10 @@ def ticks_during(work):
         lambda fc: fc.connections,
         lambda fc: fc.is_morse_smale,
         lambda _: flowcert.pores(POINTS[:500], 0.01).points,
-        lambda fc: fc.pockets(radii=0.01, probe=0),
+        lambda _: flowcert.cavities(POINTS, 0.01, 0),
     ],
     ids=["persistence", "surface", "lines", "counts", "check", "orbit", "volumes", "connections", "is_morse_smale",
-         "pores", "pockets with radii"],
+         "pores", "cavities"],
 )
 def test_other_threads_run_meanwhile(ask):
     fc = flowcert.FlowComplex(POINTS)
@@ -122,9 +122,9 @@ def use_everything(points):
     fc.orbit([0.1, 0.2, 0.3])
     place = int(fc.volumes.argmax())
     fc.volume(place)
-    fc.shares(place)
     fc.hull_volume
     for exact in (False, True):
+        fc.shares(place, exact=exact)
         fc.lambda_list(fc.counts[0], exact=exact)
         fc.unstable_surface(fc.counts[0], exact=exact)
     fc.connections
@@ -134,7 +134,7 @@ def use_everything(points):
     flowcert.generate("lattice-3", 5)
     made = flowcert.pores(points[:30], [0.01] * 30, depth=0)
     made.points, made.exact(0), made.cavity_steps(), made.hidden
-    flowcert.FlowComplex(points[:30]).pockets(radii=0.01, probe=0.01)
+    flowcert.cavities(points[:30], 0.01, 0.01)
     for wrong in (np.zeros((2, 2)), [[np.nan, 0, 0]]):
         with pytest.raises(ValueError):
             flowcert.FlowComplex(wrong)

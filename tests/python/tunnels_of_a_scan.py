@@ -37,4 +37,4 @@ with open(sys.argv[2], "w", encoding="ascii") as file:
     file.write("</svg>\n")
 for number, loop in enumerate(loops, 1):
     faces = len(loop.surface.faces)
-    print(f"{number}: {len(loop.edges)} edges of length {loop.length:.4g}, filled by {faces} triangles")
+    print(f"{number}: {len(loop.edges)} edges of length {loop.loop_length:.4g}, filled by {faces} triangles")

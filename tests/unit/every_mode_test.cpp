@@ -509,7 +509,7 @@ std::vector<Ball> balls_of(const Made& m) {
   std::vector<Ball> balls;
   for (const Point& p : m.rows) balls.push_back({{Rational(p.x), Rational(p.y), Rational(p.z)}, unit / 5});
   balls[2].radius = unit / 3;
-  balls.push_back({balls[2].centre, unit / 11});
+  balls.push_back({balls[2].center, unit / 11});
   return balls;
 }
 
@@ -534,7 +534,7 @@ void add_pores(Calls& calls, const Made& m) {
     };
     calls.add("Pores::value", [=] { return pores->value(point); }, text_of);
     calls.add(
-        "Pores::position", [=] { return pores->position(point); },
+        "Pores::center", [=] { return pores->center(point); },
         [=](const auto& made) { return text_of(made[0]) + text_of(made[1]) + text_of(made[2]); });
     calls.add("nearest_or_infinity", [=] { return nearest_or_infinity(value); });
     calls.add("nearest_difference", [=] { return nearest_difference(value, QuadraticNumber(Rational(1) / 3)); });
@@ -556,7 +556,7 @@ void add_pores(Calls& calls, const Made& m) {
       "ball_cavities", [=] { return ball_cavities(*set, probe); },
       [](const auto& made) {
         std::string text;
-        for (const BallCavity& cavity : made) text += result_text(cavity.atoms);
+        for (const BallCavity& cavity : made) text += result_text(cavity.lining);
         return text;
       });
   const PoresToWrite what{*pores, Rational(0), probe};
@@ -574,7 +574,7 @@ void add_readers(Calls& calls, const Made& m, const std::string& path) {
       [](const AtomRadii& made) { return result_text(*made.of_element("Fe")) + result_text(*made.of_element("Mn")); });
   const auto balls_text = [](const BallFile& file) {
     std::string text = result_text(file.file);
-    for (const Ball& ball : file.balls) text += result_text(ball.centre) + result_text(ball.radius);
+    for (const Ball& ball : file.balls) text += result_text(ball.center) + result_text(ball.radius);
     return text;
   };
   calls.add("read_balls", [=] { return read_balls(path, {}, AtomRadii("0.1")); }, balls_text);
@@ -779,7 +779,7 @@ const std::set<std::string> kWithoutDoubles = {
     "MergeTrees::limits_above", "MergeTrees::saddles_down", "MergeTrees::upper_points_down", "Persistence::pairs",
     "Persistence::squared_distances", "Persistence::partner", "Persistence::additions", "Loops::Loops",
     "Loops::boundary", "Loops::polygons", "Loops::whole_surface", "LoopClasses::LoopClasses", "odd_edges",
-    "dependent_sums", "passage_text",
+    "passage_text",
     "Pockets::size", "Pockets::cells", "Pockets::outside", "Pockets::squared_persistence", "Pockets::squared_distances",
     "SquaredDistances::ascending", "SquaredDistances::rank", "SquaredDistances::approximation",
     "SquaredDistances::prefetch", "back_kind_text",
@@ -793,7 +793,7 @@ const std::set<std::string> kWithoutDoubles = {
     "UnstableManifolds::limit_beyond", "UnstableManifolds::statistics", "UnstableSurfaces::size",
     "UnstableSurfaces::record", "verdict_text", "reason_text", "verdict_on", "Truth::size", "Truth::index",
     "Truth::contact", "pair_counts", "Profile::state", "Profile::set", "Profile::is_exact", "Profile::set_exact",
-    "Profile::set_indices", "Profile::join", "Profile::parts", "Profile::grade", "profile_of",
+    "Profile::set_indices", "Profile::join", "Profile::parts", "Profile::grade",
     "require_rows", "sentence_of", "ClipBox::low", "ClipBox::high", "is_exact_pair", "reproducibility", "made_by_text",
     "SurfaceSelection::is_empty", "PersistenceDiagram::complex",
     "PersistenceDiagram::pairs", "PersistenceDiagram::has_zero", "Probe::squared_radius", "pair_name_of",

@@ -43,7 +43,7 @@ std::vector<Ball> cage() { return {ball(2, 2, 2, 1), ball(2, -2, -2, 1), ball(-2
 std::vector<Ids> contacts_of_index(const Pores& pores, int index) {
   std::vector<Ids> found;
   for (const BallPoint& point : pores.points()) {
-    if (point.index == index) found.push_back(point.contacts);
+    if (point.index == index) found.push_back(point.contact);
   }
   return found;
 }
@@ -68,7 +68,7 @@ TEST(BallSet, TakesDecimalsExactly) {
   const Pores pores(balls, 0);
   ASSERT_EQ(pores.points().size(), 1u);
   EXPECT_EQ(pores.value(0), QuadraticNumber());
-  EXPECT_EQ(pores.position(0)[0], QuadraticNumber(Rational(1, 5)));
+  EXPECT_EQ(pores.center(0)[0], QuadraticNumber(Rational(1, 5)));
 }
 
 TEST(Pores, OfTheCage) {
@@ -81,7 +81,7 @@ TEST(Pores, OfTheCage) {
   ASSERT_EQ(chamber.gates.size(), 4u);
   for (const std::uint32_t gate : chamber.gates) {
     EXPECT_EQ(primitive_polynomial(pores.value(gate)).coefficients, (Text{"3", "6", "-29"}));
-    EXPECT_EQ(pores.points()[gate].contacts.size(), 3u);
+    EXPECT_EQ(pores.points()[gate].contact.size(), 3u);
   }
   ASSERT_TRUE(chamber.exit);
   EXPECT_EQ(pores.value(*chamber.exit), pores.value(chamber.gates[0]));
@@ -110,7 +110,7 @@ TEST(Pores, FindsPointsOnLowFaces) {
     std::vector<std::pair<int, Ids>> found;
     for (std::uint32_t number = 0; number < pores.points().size(); ++number) {
       const BallPoint& point = pores.points()[number];
-      if (pores.value(number) == QuadraticNumber(Rational(4))) found.emplace_back(point.index, point.contacts);
+      if (pores.value(number) == QuadraticNumber(Rational(4))) found.emplace_back(point.index, point.contact);
     }
     return found;
   };
@@ -214,7 +214,7 @@ TEST(BallCavities, AreAsManyAsTheIntervalsSay) {
 
 std::vector<Ids> linings(const std::vector<Ball>& balls, const Rational& probe) {
   std::vector<Ids> found;
-  for (const BallCavity& cavity : ball_cavities(BallSet(balls), probe)) found.push_back(cavity.atoms);
+  for (const BallCavity& cavity : ball_cavities(BallSet(balls), probe)) found.push_back(cavity.lining);
   return found;
 }
 
@@ -287,8 +287,8 @@ TEST(Pores, OfEqualRadiiAreThoseOfTheFlowComplex) {
     std::vector<Point> rows;
     for (Ball& each : balls) {
       each.radius = radius;
-      rows.push_back({each.centre[0].convert_to<double>(), each.centre[1].convert_to<double>(),
-                      each.centre[2].convert_to<double>()});
+      rows.push_back({each.center[0].convert_to<double>(), each.center[1].convert_to<double>(),
+                      each.center[2].convert_to<double>()});
     }
     const BallSet set(balls);
     const Pores pores(set, 0);

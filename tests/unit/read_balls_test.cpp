@@ -36,7 +36,7 @@ Texts radii_of(const std::string& bytes, const std::string& radii, const Reading
 Texts centres_of(const BallFile& file) {
   Texts texts;
   for (const Ball& ball : file.balls) {
-    texts.push_back(to_text(ball.centre[0]) + ' ' + to_text(ball.centre[1]) + ' ' + to_text(ball.centre[2]));
+    texts.push_back(to_text(ball.center[0]) + ' ' + to_text(ball.center[1]) + ' ' + to_text(ball.center[2]));
   }
   return texts;
 }
@@ -211,7 +211,7 @@ TEST(ReadBalls, RowsAreThoseWithoutRadii) {
     EXPECT_EQ(balls.file.atoms.size(), points.atoms.size());
     ASSERT_EQ(balls.balls.size(), points.rows.size());
     for (std::size_t k = 0; k < points.rows.size(); ++k) {
-      const RationalPoint& centre = balls.balls[k].centre;
+      const RationalPoint& centre = balls.balls[k].center;
       EXPECT_EQ((Point{*nearest_double(centre[0]), *nearest_double(centre[1]), *nearest_double(centre[2])}),
                 points.rows[k]);
     }
@@ -402,7 +402,7 @@ TEST(ReadBalls, CrystalsAreNoFiniteSets) {
   EXPECT_EQ(centres_of(right), Texts{"1/100 2 3"});
   EXPECT_EQ(notes_of(right.file), Notes{note});
   const BallFile other = read("data_a\n" + cell + "100" + atoms, "bondi", {.finite = true});
-  EXPECT_EQ(other.balls[0].centre[1], Rational(other.file.rows[0].y));
+  EXPECT_EQ(other.balls[0].center[1], Rational(other.file.rows[0].y));
   EXPECT_EQ(notes_of(other.file), (Notes{note,
                                          "the cell has other angles than right ones: its Cartesian positions are "
                                          "the nearest doubles, taken exactly"}));
@@ -460,7 +460,7 @@ TEST(ReadBalls, DamagedFilesAreRefusedOrHaveRadii) {
       ASSERT_EQ(file.balls.size(), file.file.rows.size()) << bytes;
       for (std::size_t k = 0; k < file.balls.size(); ++k) {
         ASSERT_GT(file.balls[k].radius, 0) << bytes;
-        ASSERT_EQ(*nearest_double(file.balls[k].centre[0]), file.file.rows[k].x) << bytes;
+        ASSERT_EQ(*nearest_double(file.balls[k].center[0]), file.file.rows[k].x) << bytes;
       }
     } catch (const InvalidInput& error) {
       ++refused;

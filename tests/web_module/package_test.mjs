@@ -121,7 +121,7 @@ test("the package has what is declared, and nothing else", { skip }, async () =>
 
 test("records are those of compute -o", { skip }, async () => {
   await withEach(all, (complex, name) => {
-    for (const manifolds of [undefined, "u2", "s2", "all"]) {
+    for (const manifolds of [undefined, "u2", "s2", "u2,s2", "all"]) {
       printed("compute", name, "-o", "records", ...(manifolds ? ["--manifolds", manifolds] : []));
       const [header, ...lines] = readFileSync(join(folder, "records"), "utf8").split("\n");
       const [ourHeader, ...ours] = Buffer.from(complex.records({ manifolds })).toString().split("\n");
@@ -390,6 +390,15 @@ test("invalid input gives the program's sentences", { skip }, async () => {
     };
     refused(fail, words[0], "cube.xyz", ...words.slice(1));
   }
+  for (const [manifolds, flag] of [["s2", "polylines"], ["u2", "skeletons"]]) {
+    const words = ["compute", "cube.xyz", "-o", "records", "--manifolds", manifolds, `--${flag}`];
+    refused(() => complex.records({ manifolds, [flag]: true }), ...words);
+  }
+  const message = "format: 'OFF' is not one of 'ply', 'off'";
+  assert.throws(() => complex.surface({ format: "OFF" }), { name: "FlowcertError", message });
+  assert.throws(() => complex.records({ manifolds: "s1" }), { message: /^manifolds: 's1' is not one of 'u2', / });
+  await assert.rejects(complex.pockets({ volumes: "shares" }), { message: /^volumes: 'shares' is not one of / });
+  await assert.rejects(complex.check("", { format: "csv" }), { message: /^format: 'csv' is not one of / });
   await assert.rejects(complex.check("cavity 1\n"), { message: /^--radii is needed: / });
   await assert.rejects(complex.check("{}", { name: "c.json" }), flowcert.FlowcertError);
   complex.delete();

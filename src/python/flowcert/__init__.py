@@ -17,6 +17,7 @@ What there is:
     check(points, claim)    whether critical points that you have computed are right, and which are not
     represents(loops, pair) whether loops stand for a tunnel
     pores(points, radii)    the rooms between atoms with radii, with their gates and windows
+    cavities(points, radii, probe)  the rooms that a probe cannot leave, with the atoms around them
     read_points(path)       the points of a PLY, OBJ, OFF or text file, or the atoms of a molecule
     read_balls(path, radii) these with their radii, exactly
     generate(family, seed)  degenerate inputs to test programs with
@@ -40,7 +41,7 @@ from ._limits import Direction, LambdaList
 from ._manifolds import Lines, Mesh, Surfaces
 from ._orbit import Limit, Orbit, Segment
 from ._pockets import Places, Pocket, Pockets
-from ._pores import Chamber, Pores, Window, pores
+from ._pores import Chamber, Pores, Window, cavities, pores
 from ._quadratic_number import QuadraticNumber
 from ._read_points import read_balls, read_points
 from ._unstable import SurfaceCorner, UnstableInterval, UnstableSegment, UnstableSheet, UnstableSurface
@@ -70,9 +71,11 @@ __all__ = [
     "UnstableSegment",
     "UnstableSheet",
     "UnstableSurface",
+    "Void",
     "Window",
     "__made_by__",
     "__version__",
+    "cavities",
     "check",
     "families",
     "generate",

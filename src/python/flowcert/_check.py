@@ -24,11 +24,13 @@ def check(
     claim: one of these.
 
     - A list of dicts, one for each critical point, with the keys index (0 to 3; for a regular stationary point its
-      kind, a pair), contact (rows of the points), position (three numbers), squared_distance, samples, limits. Needed
-      are index, and contact or position. Integers and Fractions are exact; floats are matched within the tolerance.
-    - A structured array with index, position and, if it has them, squared_distance and kind; as critical_points. Those
+      kind, a pair), contact (rows of the points), center (three numbers), squared_distance, samples, limits. Needed
+      are index, and contact or center. Integers, Fractions and strings, "1/3", are exact; floats are matched within
+      the tolerance. All keys of a record of `flowcert compute -o` are known, so that json.loads of its line is one.
+    - A structured array with index, center and, if it has them, squared_distance and kind; as critical_points. Those
       that have infinities, because a number overflowed, are refused; a list may have exact().
-    - A str or a path: the name of a file, in any format that `flowcert check` reads.
+    - A str or a path: the name of a file of stationary points, as JSON Lines, CSV, VTP or Giesen and Kühne's text, or
+      of pockets as JSON. `flowcert check` reads persistence diagrams, cycles and pores, too.
     - bytes, or an open file: the content of such a file.
 
     tolerance: floats match within this part of the critical point's radius; 0 to 0.001. Above 1e-6 there is a verdict
@@ -40,7 +42,7 @@ def check(
 
     A claim that is wrong is no error; the report says so. One that cannot be read is a ValueError.
 
-    >>> claim = [{"index": 0, "contact": [0]}, {"index": 0, "contact": [1]}, {"index": 1, "position": [1, 0, 0]}]
+    >>> claim = [{"index": 0, "contact": [0]}, {"index": 0, "contact": [1]}, {"index": 1, "center": [1, 0, 0]}]
     >>> check([[0, 0, 0], [2, 0, 0]], claim).verdict
     'conforms'
     """
@@ -49,4 +51,4 @@ def check(
     options = {"tolerance": tolerance, "highest_level": highest_level, "indices": indices, "unlimited": unlimited}
     if isinstance(points, FlowComplex):
         return points.check(claim, threads=threads, **options)
-    return FlowComplex(points, threads, unlimited=unlimited).check(claim, **options)
+    return FlowComplex(points, threads=threads, unlimited=unlimited).check(claim, **options)

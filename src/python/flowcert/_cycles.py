@@ -21,7 +21,7 @@ class Loop:
     edges          (k, 2) int64, the same loop as edges, rows of points
     saddles        int64 array, the index-2 points whose stable manifolds make the surface, places in critical_points
     surface        a Mesh; the boundary of its triangles is the loop, mod 2
-    length         float, the length of all edges
+    loop_length    float, the length of all edges
     complex        the FlowComplex
     """
 
@@ -31,7 +31,7 @@ class Loop:
     edges: NDArray[np.int64]
     saddles: NDArray[np.int64]
     surface: Mesh
-    length: float
+    loop_length: float
     complex: Any = field(default=None, repr=False)
 
 

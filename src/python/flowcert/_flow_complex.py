@@ -4,13 +4,13 @@ import operator
 import re
 from fractions import Fraction
 from html import escape
-from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union, overload
+from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core, _exact, _judge
-from ._balls import ball_rows, length
+from ._balls import length
 from ._cycles import Cycle, Loop, cycle_of, edges_of
 from ._limits import LambdaList, lambda_list_of
 from ._manifolds import Lines, Mesh, Surfaces
@@ -25,7 +25,7 @@ _KINDS = ((1, 2), (1, 3), (2, 3))
 class FlowComplex:
     """The flow complex of points: critical points, persistence, surfaces, lines, orbits and cells, exactly.
 
-    FlowComplex(points, threads=None, unlimited=False)
+    FlowComplex(points, *, threads=None, unlimited=False)
 
     points: (n, 3), any number of rows, none as well; an array, or anything that NumPy makes one of. Repeated rows are
     merged. Coordinates are taken as the doubles that they are. Other floats and integers are converted exactly, and a
@@ -55,7 +55,7 @@ class FlowComplex:
     [[1, 2]]
     """
 
-    def __init__(self, points: ArrayLike, threads: Optional[int] = None, *, unlimited: bool = False) -> None:
+    def __init__(self, points: ArrayLike, *, threads: Optional[int] = None, unlimited: bool = False) -> None:
         threads = thread_count(threads)
         self._core = _core.Complex(point_rows(points), threads, bool(unlimited))
         self._unlimited = bool(unlimited)
@@ -87,7 +87,7 @@ class FlowComplex:
         index             int8, 0 to 3, or -1 for a regular stationary point, which has none
         kind              (2,) int8: (i, i) if it is critical of index i. A regular point is (1, 2), (1, 3) or (2, 3):
                           a limit case, in which critical points of these indices (of 1, 2, 2, 3 for (1, 3)) collide
-        position          (3,) float64, in the unit of the points; the doubles nearest to the exact position
+        center            (3,) float64, its place, in the unit of the points; the doubles nearest to the exact one
         squared_distance  float64, to the nearest points; in the square of the unit
         contact_offsets   (2,) int64: the nearest points are contacts[first:last]
 
@@ -100,7 +100,7 @@ class FlowComplex:
         """The critical points, by index, then by contact set: the first part of stationary_points.
 
         >>> fc = FlowComplex([[0, 0, 0], [2, 0, 0]])
-        >>> fc.critical_points["position"].tolist()
+        >>> fc.critical_points["center"].tolist()
         [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 0.0, 0.0]]
         >>> first, last = fc.critical_points["contact_offsets"][2]
         >>> fc.contacts[first:last].tolist()
@@ -138,18 +138,18 @@ class FlowComplex:
         return self._core.euler_sum()
 
     def exact(self, i: int) -> Tuple[Position, Fraction]:
-        """The exact position (three Fractions) and squared distance (a Fraction) of stationary point i.
+        """The exact center (three Fractions) and squared distance (a Fraction) of stationary point i.
 
         >>> FlowComplex([[0, 0, 0], [1, 0, 0]]).exact(2)
         ((Fraction(1, 2), Fraction(0, 1), Fraction(0, 1)), Fraction(1, 4))
         """
-        position, squared_distance = self._core.exact(self._place(i))
-        return _exact.fractions(position), _exact.fraction(squared_distance)
+        center, squared_distance = self._core.exact(self._place(i))
+        return _exact.fractions(center), _exact.fraction(squared_distance)
 
     # ---- Persistence
 
     def persistence(
-        self, zero: bool = False, *, dimension: Optional[int] = None, squared: bool = True
+        self, *, zero: bool = False, dimension: Optional[int] = None, squared: bool = True
     ) -> Union[List[Tuple[int, Tuple[float, float]]], NDArray[np.float64]]:
         """The persistence pairs of the squared distance function, in GUDHI's form: [(dimension, (birth, death)), ...].
 
@@ -183,7 +183,7 @@ class FlowComplex:
         return pairs[pairs["dimension"] == dimension]
 
     def persistence_pairs(
-        self, zero: bool = False, *, dimension: Optional[int] = None, squared: bool = True
+        self, *, zero: bool = False, dimension: Optional[int] = None, squared: bool = True
     ) -> NDArray[Any]:
         """The same pairs in the same order as a structured array, with the points that make them:
 
@@ -271,13 +271,9 @@ class FlowComplex:
         """
         return Places(*self._core.locate(point_rows(positions)))
 
-    @overload
-    def pockets(self, persistence: Any = "auto", probe: Any = None) -> Pockets: ...
-    @overload
-    def pockets(self, *, radii: Any, probe: Any) -> List[NDArray[np.int64]]: ...
-    def pockets(self, persistence: Any = "auto", probe: Any = None, *, radii: Any = None) -> Any:
+    def pockets(self, persistence: Any = "auto", *, probe: Any = None) -> Pockets:
         """Pockets: what flows to the same maxima, merged by persistence, with their mouths. Distances are measured to
-        the points, which have no radii: of atoms, to their centres.
+        the points, which have no radii: of atoms, to their centres. flowcert.cavities has rooms between balls.
 
         persistence: pockets are deeper than this, a difference of distances; what is not is merged, and 0 merges
         nothing. A number; or a str, as `flowcert pockets --persistence` takes it: "3spacing", "q0.9" or "auto", which
@@ -291,24 +287,14 @@ class FlowComplex:
         (1.3333333333333333, Fraction(1, 3), 8, 'channel')
         >>> len(fc.pockets(Fraction(1, 5)).pockets)
         0
-
-        radii: of the points as balls, as pores() takes them. The answer is another one then, the cavities for a probe
-        whose radius is beyond the balls' surfaces: rooms that have a place for it, and no way out. A list of int64
-        arrays: for each the rows of the balls that bound it, ascending. Repeated rows are balls of their own.
-
-        >>> [rows.tolist() for rows in fc.pockets(radii="1/4", probe="0.7")]
-        [[0, 1, 2, 3, 4, 5]]
         """
         radius = None if probe is None else _exact.hexadecimal(length(probe, "probe"))
-        if radii is None:
-            return pockets_of(self._core.pockets(_exact.words(persistence, "persistence"), radius))
-        if radius is None or persistence != "auto":
-            raise ValueError("radii: with a probe, and without a persistence")
-        return _core.ball_cavities(ball_rows(self.points, radii), radius)
+        return pockets_of(self._core.pockets(_exact.words(persistence, "persistence"), radius))
 
     def cycles(
         self,
         dimension: int = 1,
+        *,
         longest: int = 10,
         level: Any = "25%",
         persistence: Any = None,
@@ -325,7 +311,7 @@ class FlowComplex:
 
         >>> square = FlowComplex([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]])
         >>> [loop] = square.cycles()
-        >>> loop.polygons[0].tolist(), loop.length, loop.squared_level, len(loop.surface.faces)
+        >>> loop.polygons[0].tolist(), loop.loop_length, loop.squared_level, len(loop.surface.faces)
         ([0, 1, 2, 3], 8.0, Fraction(5, 4), 8)
         >>> octahedron = FlowComplex([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]])
         >>> [void] = octahedron.cycles(dimension=2)
@@ -371,19 +357,20 @@ class FlowComplex:
             [edges_of(loop) for loop in loops], self._place(pair[0]), self._place(pair[1]), level
         )
 
-    def homologous(self, loop: Any, other: Any, squared_radius: Any) -> bool:
-        """Whether two loops lie among the balls of this squared radius around all points, and one can be deformed into
-        the other there: their sum bounds (mod 2). False, too, if one of them is no cycle, or leaves the balls. An edge
-        pq is among them if |p-q| is at most twice the radius.
+    def homologous(self, loop: Any, other: Any, squared_level: Any) -> bool:
+        """Whether two loops lie among the balls of a level around all points, and one can be deformed into the other
+        there: their sum bounds (mod 2). False, too, if one of them is no cycle, or leaves the balls. An edge pq is
+        among them if |p-q| is at most twice their radius.
 
         loop, other: as in represents(). [] is the loop that bounds.
+        squared_level: a number, the square of this radius.
 
         >>> square = FlowComplex([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]])
         >>> square.homologous([0, 1, 2, 3], [], 1), square.homologous([0, 1, 2, 3], [], 2)
         (False, True)
         """
-        radius = _exact.hexadecimal(_exact.exact(squared_radius, "squared_radius"))
-        return self._core.homologous(edges_of(loop), edges_of(other), radius)
+        level = _exact.hexadecimal(_exact.exact(squared_level, "squared_level"))
+        return self._core.homologous(edges_of(loop), edges_of(other), level)
 
     def _contact(self, i: int) -> List[int]:
         place, points = self._place(i), self.stationary_points
@@ -418,18 +405,18 @@ class FlowComplex:
         """
         return _exact.fraction(self._core.volume(self._place(i)))
 
-    def shares(self, i: int, exact: bool = True) -> Union[Dict[int, Fraction], Dict[int, float]]:
+    def shares(self, i: int, *, exact: bool = False) -> Union[Dict[int, float], Dict[int, Fraction]]:
         """How much of volume(i) lies in the Voronoi cells of which points: {row: volume}, by ascending row.
 
-        The volumes are positive, and add up to volume(i).
-        exact: Fractions. If it is False, the nearest doubles, which are there much sooner for a scan.
+        The volumes are positive; the exact ones add up to volume(i).
+        exact: volumes are Fractions instead of the nearest doubles, which are there much sooner for a scan.
 
         >>> fc = FlowComplex([[0, 0, 0], [2, 0, 0], [0, 2, 0], [2, 2, 0], [1, 1, 3]])
-        >>> [shares] = [fc.shares(i) for i in fc.volumes.nonzero()[0]]
-        >>> {row: str(volume) for row, volume in shares.items()}
+        >>> [i] = fc.volumes.nonzero()[0]
+        >>> {row: str(volume) for row, volume in fc.shares(i, exact=True).items()}
         {0: '599/720', 1: '599/720', 2: '599/720', 3: '599/720', 4: '121/180'}
-        >>> [fc.shares(i, exact=False)[4] for i in fc.volumes.nonzero()[0]]
-        [0.6722222222222223]
+        >>> fc.shares(i)[4]
+        0.6722222222222223
         """
         place = self._place(i)
         if not exact:
@@ -444,7 +431,7 @@ class FlowComplex:
         """
         return _exact.fraction(self._core.hull_volume())
 
-    def lambda_list(self, i: int, exact: bool = False) -> LambdaList:
+    def lambda_list(self, i: int, *, exact: bool = False) -> LambdaList:
         """Where the directions of stationary point i lead: of a regular one, or of a saddle, of index 1 or 2.
 
         exact: positions are Fractions instead of the nearest doubles.
@@ -459,7 +446,7 @@ class FlowComplex:
             raise ValueError(f"stationary point {place} has no list of limits; saddles and regular points have one")
         return lambda_list_of(answer, exact)
 
-    def unstable_surface(self, i: int, exact: bool = False) -> UnstableSurface:
+    def unstable_surface(self, i: int, *, exact: bool = False) -> UnstableSurface:
         """All that flows from stationary point i, as a set: of an index-1 point, or a regular one of kind (1, 2) or
         (1, 3). It has dimension 2, and can be large.
 
@@ -553,4 +540,4 @@ def _with_place(message: str, is_one: bool) -> str:
 
 def _made(points: NDArray[np.float64], threads: int, unlimited: bool) -> FlowComplex:
     """What pickle calls, which takes no names of arguments."""
-    return FlowComplex(points, threads, unlimited=unlimited)
+    return FlowComplex(points, threads=threads, unlimited=unlimited)

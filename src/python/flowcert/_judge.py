@@ -15,7 +15,14 @@ from . import _core, _exact
 from ._read_points import file_name
 
 _HEADER = {"format": "flowcert-stationary-points", "format_version": 1}
-_KEYS = ("index", "contact", "position", "squared_distance", "samples", "limits")
+_INTEGERS = ("index", "contact", "samples", "limits")
+_NUMBERS = ("center", "squared_distance", "volume")
+# What a record of the exchange format may have besides: such a line, parsed, is a record here.
+_MORE = (
+    "kind", "center_double", "squared_distance_double", "volume_double", "u2", "stable", "skeleton", "surface",
+    "shares", "shares_double", "lambda", "connections", "u1",
+)  # fmt: skip
+_KEYS = _INTEGERS + _NUMBERS + _MORE
 
 
 @dataclass(frozen=True)
@@ -184,7 +191,7 @@ def _text_of(claim):
 
 def _row(row):
     """A row of a structured array as a dict. A regular stationary point has the index -1 and a kind."""
-    fields = {name: row[name] for name in row.dtype.names if name in ("index", "position", "squared_distance")}
+    fields = {name: row[name] for name in row.dtype.names if name in ("index", "center", "squared_distance")}
     if fields.get("index") == -1 and "kind" in row.dtype.names:
         fields["index"] = row["kind"]
     return fields
@@ -195,11 +202,17 @@ def _line(record, place):
         raise ValueError(f"claim[{place}] must be a dict")
     fields = {}
     for key, value in record.items():
-        if key not in _KEYS:
+        if key in _INTEGERS:
+            value = _integer(value, place)
+        elif key in _NUMBERS:
+            value = _number(value, place)
+        elif key not in _KEYS:
             raise ValueError(f"claim[{place}] has the key {key!r}; the keys are {', '.join(_KEYS)}")
-        is_number = key in ("position", "squared_distance")
-        fields["center" if key == "position" else key] = (_number if is_number else _integer)(value, place)
-    return json.dumps(fields)
+        fields[key] = value
+    try:
+        return json.dumps(fields)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"claim[{place}]: {error}") from None
 
 
 def _plain(value):
@@ -210,15 +223,17 @@ def _plain(value):
 
 
 def _number(value, place):
-    """Exact numbers become strings, as the format has them, and floats stay decimals."""
+    """Exact numbers become strings, as the format has them, and strings stay; floats stay decimals."""
     value = _plain(value)
     if isinstance(value, list):
         return [_number(each, place) for each in value]
+    if isinstance(value, str):
+        return value
     if isinstance(value, Rational) and not isinstance(value, bool):
         return _exact.decimal(Fraction(value))
     if isinstance(value, Real) and not isinstance(value, bool) and abs(float(value)) < float("inf"):
         return float(value)
-    raise ValueError(f"claim[{place}]: a position or squared distance must be finite numbers, not {value!r}")
+    raise ValueError(f"claim[{place}]: center, squared_distance and volume must be finite numbers, not {value!r}")
 
 
 def _integer(value, place):

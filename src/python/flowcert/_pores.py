@@ -111,7 +111,7 @@ class Pores:
         index            int8, 1 to 3; at index 3 there is a peak of a room, at index 2 a gate, a window or a handle
         rank             int64, of its value: equal ones have the same rank, and 0 is that of the greatest
         value            float64, the radius of the widest probe that can be there; the nearest double
-        position         (3,) float64, the nearest doubles
+        center           (3,) float64, its place; the nearest doubles
         contact_offsets  (2,) int64: the balls that are nearest are contacts[first:last]
 
         A number that would overflow is infinite; exact() has it.
@@ -124,7 +124,7 @@ class Pores:
         return self._arrays()[1]
 
     def exact(self, i: int) -> Tuple[Tuple[QuadraticNumber, QuadraticNumber, QuadraticNumber], QuadraticNumber]:
-        """The exact position and value of point i.
+        """The exact center and value of point i.
 
         >>> cage = pores([[2, 2, 2], [2, -2, -2], [-2, 2, -2], [-2, -2, 2]], radii="1/2")
         >>> (x, y, z), value = cage.exact(0)
@@ -134,7 +134,7 @@ class Pores:
         place, count = operator.index(i), self._core.point_count
         if not 0 <= place < count:
             raise ValueError(f"there is no point {shown(place)}; there are {count}")
-        x, y, z = self._core.position(place)
+        x, y, z = self._core.center(place)
         return (QuadraticNumber(*x), QuadraticNumber(*y), QuadraticNumber(*z)), self._value(place)
 
     @property
@@ -206,3 +206,19 @@ def pores(
     ('open', 'closed', 'too small')
     """
     return Pores(_balls.ball_rows(points, radii), _balls.length(depth, "depth"), thread_count(threads))
+
+
+def cavities(points: Union[ArrayLike, Sequence[Sequence[Any]]], radii: Any, probe: Any) -> List[NDArray[np.int64]]:
+    """The rooms between atoms with radii that have a place for a probe, and no way out for it. A list of int64 arrays:
+    for each the rows of the balls that the probe can touch there, ascending.
+
+    points, radii: as pores() takes them. Repeated rows are balls of their own. probe: a radius, 0 or more, beyond the
+    balls' surfaces; exact, as these are. To touch is to fit. Pores.cavities_at counts the same for any probe, where
+    pores() has taken its time. Ctrl-C comes through afterwards.
+
+    >>> cage = [[2, 2, 2], [2, -2, -2], [-2, 2, -2], [-2, -2, 2]]
+    >>> [[rows.tolist() for rows in cavities(cage, 1, probe)] for probe in ("2.2", "2.4", "2.6")]
+    [[], [[0, 1, 2, 3]], []]
+    """
+    radius = _exact.hexadecimal(_balls.length(probe, "probe"))
+    return _core.ball_cavities(_balls.ball_rows(points, radii), radius)

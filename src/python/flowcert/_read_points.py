@@ -1,5 +1,6 @@
 """Point files, as every command of flowcert reads them, and atoms with their radii."""
 
+import operator
 import os
 import warnings
 from typing import Any, Optional, Sequence, Tuple, Union
@@ -18,7 +19,7 @@ def file_name(path: Union[str, bytes, "os.PathLike[str]", "os.PathLike[bytes]"])
     return name
 
 
-def _words(words: Union[None, str, Sequence[str]]) -> "list[str]":
+def _words(words: Union[None, str, Sequence[Union[int, str]]]) -> "list[str]":
     if words is None:
         return []
     return [words] if isinstance(words, str) else [str(word) for word in words]
@@ -31,10 +32,10 @@ def _atom_array(names: "list[Tuple[str, str, str, str, str]]") -> NDArray[Any]:
 
 
 def read_points(
-    path: Union[str, bytes, "os.PathLike[str]", "os.PathLike[bytes]"], *, format: str = "",
-    columns: Union[str, Sequence[Union[int, str]]] = "", z: Optional[float] = None,
+    path: Union[str, bytes, "os.PathLike[str]", "os.PathLike[bytes]"], *, format: Optional[str] = None,
+    columns: Union[None, str, Sequence[Union[int, str]]] = None, z: Optional[float] = None,
     atoms: Union[None, str, Sequence[str]] = None, chains: Union[None, str, Sequence[str]] = None,
-    models: Union[str, int, Sequence[int]] = "", frame: int = 0, skip_invalid: bool = False,
+    models: Union[None, str, int, Sequence[int]] = None, frame: Optional[int] = None, skip_invalid: bool = False,
     return_left_out: bool = False, return_atoms: bool = False, unlimited: bool = False,
 ) -> Union[NDArray[np.float64], Tuple[NDArray[Any], ...]]:  # fmt: skip
     """The points of a file, an (n, 3) array of doubles; "-" for standard input.
@@ -42,11 +43,11 @@ def read_points(
     The content says the format: a table of numbers or CSV, PTS, chemical XYZ, OFF, PLY, OBJ, PCD, NPY, or a molecule,
     PDB or CIF, each also compressed by gzip. The arguments are the options of the commands, with the same words:
     format="table", columns="2,3,4" or "x,y,z", z=0 for two columns, atoms=["protein", "no hydrogens"], chains="A",
-    models="all", frame=2, skip_invalid=True to leave out rows with NaN, and unlimited=True for compressed files that
-    grow to more than a hundred times their size. With return_left_out=True the numbers of the rows that are left out,
-    from 0, are returned, too. With return_atoms=True so is a structured array of names, one for each point, with the
-    strings chain, residue, number (of the residue, with its insertion code), atom and element; it has no rows if the
-    file is no molecule. Pocket.lining are its rows.
+    models="all", frame=2, of which the first is 1, skip_invalid=True to leave out rows with NaN, and unlimited=True for
+    compressed files that grow to more than a hundred times their size. With return_left_out=True the numbers of the
+    rows that are left out, from 0, are returned, too. With return_atoms=True so is a structured array of names, one for
+    each point, with the strings chain, residue, number (of the residue, with its insertion code), atom and element; it
+    has no rows if the file is no molecule. Pocket.lining are its rows.
 
     Coordinates are the doubles that the file means. A file that can be read in two ways, or in none, is a ValueError
     with its name and line. What a command tells as a note is a warning.
@@ -80,13 +81,17 @@ def read_balls(
 def _read(path, radii, finite, format, columns, z, atoms, chains, models, frame, skip_invalid, return_left_out,
           return_atoms, unlimited):  # fmt: skip
     """(rows, balls, more)"""
-    if not isinstance(columns, str):
-        columns = ",".join(str(column) for column in columns)
-    if not isinstance(models, str):
-        models = str(models) if isinstance(models, int) else ",".join(str(model) for model in models)
-    rows, notes, left_out, names, balls = _core.read_points(
-        file_name(path), format, columns, z, _words(atoms), _words(chains), models, frame, skip_invalid, unlimited,
-        finite, return_atoms, radii)  # fmt: skip
+    number = 0 if frame is None else operator.index(frame)
+    if frame is not None and not 0 < number < 2**63:
+        raise ValueError("frame must be 1 or more")
+    name = file_name(path)
+    columns, models = (",".join(_words(some)) for some in (columns, [models] if isinstance(models, int) else models))
+    try:
+        rows, notes, left_out, names, balls = _core.read_points(
+            name, "" if format is None else format, columns, z, _words(atoms), _words(chains), models, number,
+            skip_invalid, unlimited, finite, return_atoms, radii)  # fmt: skip
+    except TypeError:
+        raise ValueError("format must be a str, and z a number") from None
     for line, text in notes:
         warnings.warn(f"{os.fsdecode(path)}{f':{line}' if line else ''}: {text}", stacklevel=3)
     more = [np.array(left_out, dtype=np.int64)] if return_left_out else []

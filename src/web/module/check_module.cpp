@@ -1,5 +1,6 @@
 // The module check_module.wasm: what `flowcert check` does, and its --json. index.js loads it when it is asked for.
 #include <emscripten/bind.h>
+#include <fmt/format.h>
 
 #include <string>
 #include <utility>
@@ -20,12 +21,10 @@ using namespace certify;
 namespace {
 
 CheckOptions options_of(const Said& said, const Said& input) {
-  // With a larger tolerance, nearly every claim is ambiguous.
-  constexpr double kLargestTolerance = 1e-3;
   CheckOptions options;
   options.tolerance = said.number("tolerance", kDefaultTolerance);
   if (!(0 <= options.tolerance && options.tolerance <= kLargestTolerance)) {
-    throw InvalidInput("tolerance must be from 0 to 0.001");
+    throw InvalidInput(fmt::format("tolerance must be from 0 to {}", kLargestTolerance));
   }
   options.highest_level = static_cast<int>(said.count("highestLevel", kLevels));
   if (options.highest_level < 1 || options.highest_level > kLevels) {
@@ -87,7 +86,8 @@ std::string check_text(const val& content, const val& input, const val& claim_co
   files.points = read.text("name", "points");
   files.claim = said.text("name", "claim");
   files.check = options_of(said, read);
-  const AnyClaim claim = any_claim_in(bytes_of(claim_content), files.claim, said.text("format"), reading.unlimited);
+  const std::string format = said.word("format", {"pers", "pores"});
+  const AnyClaim claim = any_claim_in(bytes_of(claim_content), files.claim, format, reading.unlimited);
   if (const auto* pores = std::get_if<PoreClaim>(&claim)) {
     return report_text(judged_pores(files, *pores, bytes, reading, said));
   }

@@ -210,7 +210,7 @@ val pockets(const Complex& complex, const Said& said) {
   if (const auto radius = said.length("probe", "--probe")) probe = Probe{*radius};
   const Rational squared = pocket_persistence(complex.flow, said.text("persistence", "auto"), "--persistence").square;
   const Pockets pockets(complex.flow.merge_trees(), squared);
-  const bool is_exact = said.text("volumes") == "exact";
+  const bool is_exact = said.word("volumes", {"double", "exact"}) == "exact";
   return written_text(
       [&](std::ostream& out) { write_pockets(out, {complex.flow, pockets, probe, is_exact, complex.source.atoms()}); });
 }
@@ -218,11 +218,13 @@ val pockets(const Complex& complex, const Said& said) {
 // ---- Files ----
 
 val records(const Complex& complex, const Said& said) {
-  const std::string manifolds = said.text("manifolds");
+  const std::string manifolds = said.word("manifolds", {"u2", "s2", "u2,s2", "all"});
   RecordsToWrite wanted{.polylines = said.flag("polylines"), .skeletons = said.flag("skeletons")};
   wanted.all = manifolds == "all";
-  wanted.u2 = wanted.all || manifolds == "u2";
-  wanted.s2 = wanted.all || manifolds == "s2";
+  wanted.u2 = wanted.all || manifolds.starts_with("u2");
+  wanted.s2 = wanted.all || manifolds.ends_with("s2");
+  if (wanted.polylines && !wanted.u2) throw InvalidInput("--polylines: needs --manifolds u2");
+  if (wanted.skeletons && !wanted.s2) throw InvalidInput("--skeletons: needs --manifolds s2");
   return written_bytes(
       [&](std::ostream& out) { write_stationary_points(out, complex.flow, wanted, complex.said.telling("records")); });
 }
@@ -232,7 +234,7 @@ val surface(const Complex& complex, const Said& said) {
   const SurfaceMesh mesh =
       naming(complex.source.name, [&] { return surface_mesh(complex.flow, sets, complex.said.telling("surface")); });
   const std::string made_by = made_by_text("flowcert-surface", 1, complex.flow.points());
-  const auto write = said.text("format") == "off" ? write_off : write_ply;
+  const auto write = said.word("format", {"ply", "off"}) == "off" ? write_off : write_ply;
   return written_bytes([&](std::ostream& out) { write(out, mesh, made_by); });
 }
 

@@ -1,5 +1,9 @@
 #include "web/module/said.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "io/number_text.h"
@@ -14,6 +18,12 @@ std::string text_of(const val& value) { return val::global("String")(value).as<s
 
 std::string Said::text(const char* name, std::string otherwise) const {
   return has(name) ? text_of(object_[name]) : otherwise;
+}
+
+std::string Said::word(const char* name, std::initializer_list<const char*> words) const {
+  std::string said = text(name);
+  if (!has(name) || std::ranges::count(words, said) > 0) return said;
+  throw InvalidInput(fmt::format("{}: {} is not one of '{}'", name, io::in_quotes(said), fmt::join(words, "', '")));
 }
 
 std::vector<std::string> Said::texts(const char* name) const {

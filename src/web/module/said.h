@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <exception>
+#include <initializer_list>
 #include <new>
 #include <optional>
 #include <span>
@@ -34,6 +35,8 @@ class Said {
   [[nodiscard]] bool has(const char* name) const { return !object_[name].isUndefined() && !object_[name].isNull(); }
   // A number becomes the decimals that JavaScript prints.
   [[nodiscard]] std::string text(const char* name, std::string otherwise = "") const;
+  // One of these words, or empty where nothing is said. Throws InvalidInput for any other one.
+  [[nodiscard]] std::string word(const char* name, std::initializer_list<const char*> words) const;
   // One text, or an array of them.
   [[nodiscard]] std::vector<std::string> texts(const char* name) const;
   [[nodiscard]] bool flag(const char* name) const { return has(name) && object_[name].as<bool>(); }

@@ -85,8 +85,11 @@ export interface StationaryPoints {
   readonly contacts: Uint32Array;
 }
 
-/** A critical point in JSON. Rationals are text; a double is null where it would overflow. */
-export interface CriticalPoint {
+/**
+ * A stationary point in JSON, which is critical but perhaps in pairs of length zero. Rationals are text; a double is
+ * null where it would overflow.
+ */
+export interface StationaryPoint {
   record: number;
   contact: number[];
   center: [string, string, string];
@@ -97,15 +100,15 @@ export interface CriticalPoint {
 
 export interface PersistencePair {
   dimension: 0 | 1 | 2;
-  birth: CriticalPoint;
+  birth: StationaryPoint;
   /** null: the class lasts. */
-  death: CriticalPoint | null;
+  death: StationaryPoint | null;
 }
 
 /** A cycle that stands for a pair (spec/formats/cycles.md). Contact sets name critical points. */
 export interface Cycle {
-  birth: CriticalPoint;
-  death: CriticalPoint;
+  birth: StationaryPoint;
+  death: StationaryPoint;
   length: number | null;
   squared_level?: string;
   /** Of dimension 1. */
@@ -136,7 +139,7 @@ export interface PocketsObject extends ProgramObject {
 }
 /** What pockets() gives where atoms have radii, and what pores() gives: spec/formats/pores.md */
 export interface CavitiesObject extends ProgramObject {
-  cavities: { lining: number[]; atoms?: string[] }[];
+  cavities: { lining: number[]; names?: string[] }[];
 }
 export interface PoresObject extends ProgramObject {
   largest_cavity_diameter: number | null;
@@ -243,7 +246,11 @@ export class FlowComplex {
   pores(options: Radii & { depth?: Decimal; probe?: Decimal }): Promise<PoresObject>;
 
   /** All stationary points as lines of JSON: the file of `flowcert compute -o`, and a claim that check() takes. */
-  records(options?: { manifolds?: "u2" | "s2" | "all"; polylines?: boolean; skeletons?: boolean }): Uint8Array;
+  records(options?: {
+    manifolds?: "u2" | "s2" | "u2,s2" | "all";
+    polylines?: boolean;
+    skeletons?: boolean;
+  }): Uint8Array;
   /**
    * The file of `flowcert surface`: stable manifolds of index-2 points. select: one condition or several, as
    * "index2-radius<1.6spacing", "persistence>auto" or "largest-gaps=20". format: "ply" without it.

@@ -85,12 +85,14 @@ struct Finding {
 [[nodiscard]] Verdict verdict_on(const Finding& finding);
 
 inline constexpr double kDefaultTolerance = 1e-9;
+// The largest one that the commands, Python and JavaScript take: with a larger one, nearly every claim is ambiguous.
+inline constexpr double kLargestTolerance = 1e-3;
 inline constexpr int kLevels = 5;
 
 struct CheckOptions {
   // Positions and radii in decimals match within this part of the critical point's radius (FC-CLAIM-05).
-  // It should be small. Many stationary points are within a large tolerance, and then it takes long to find out which
-  // of them is claimed.
+  // It may be up to 1, and should be at most kLargestTolerance: many stationary points are within a large one, and then
+  // it takes long to find out which of them is claimed.
   double tolerance = kDefaultTolerance;
   // Levels beyond this one are not checked.
   int highest_level = kLevels;

@@ -139,7 +139,8 @@ struct Claim {
   bool has_more_unknown_keys = false;
 };
 
-// Reads a claim of any known format, recognised by content, gzip-compressed or not; "-" is standard input.
+// Reads a claim of stationary points or pockets, in any format that Claim::format names, recognised by content,
+// gzip-compressed or not; "-" is standard input. Claims of pairs, cycles and pores are not read.
 // Throws InvalidInput, one line "FILE:LINE: reason" or "FILE: reason", for a file that cannot be opened, that is
 // malformed, or that is compressed and grows to more than a hundred times its size, or 4 GB, unless it may.
 [[nodiscard]] Claim read_claim(const std::string& path, bool unlimited = false);

@@ -76,11 +76,6 @@ class Profile {
   bool is_exact_ = true;
 };
 
-// The profile of one claim, judged at levels 1 to this one. `indices` are those that were judged. If it is not
-// `has_points`, the input is the empty set.
-[[nodiscard]] Profile profile_of(const Claim& claim, const ClaimedIndices& indices, bool has_points, bool is_exact,
-                                 int highest_level);
-
 // The largest tolerance with which what is approximate can be said to conform, or to be perturbed (FC-CLAIM-23).
 inline constexpr double kLargestStatedTolerance = 1e-6;
 

@@ -15,7 +15,7 @@
 namespace flowcert {
 
 struct Ball {
-  RationalPoint centre;
+  RationalPoint center;
   Rational radius;
 };
 

@@ -14,10 +14,10 @@
 namespace flowcert {
 
 struct BallCavity {
-  std::vector<std::uint32_t> atoms;  // the balls that line it, by id, ascending
+  std::vector<std::uint32_t> lining;  // the balls that line it, by id, ascending
 };
 
-// The cavities, in the order of their atoms. The probe is not negative. Expected O(n log n) for atoms.
+// The cavities, in the order of their linings. The probe is not negative. Expected O(n log n) for atoms.
 [[nodiscard]] std::vector<BallCavity> ball_cavities(const BallSet& balls, const Rational& probe);
 
 }  // namespace flowcert

@@ -82,7 +82,4 @@ class LoopClasses {
   std::map<std::uint32_t, std::vector<std::uint32_t>> reduced_;  // by the death point
 };
 
-// Which of these sums mod 2, in their order, are sums of earlier ones. Each ascends.
-[[nodiscard]] std::vector<bool> dependent_sums(std::span<const std::vector<std::uint32_t>> sums);
-
 }  // namespace flowcert

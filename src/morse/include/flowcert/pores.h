@@ -21,9 +21,9 @@ namespace flowcert {
 
 // A critical point of d (FC-BALL-03).
 struct BallPoint {
-  std::uint8_t index = 0;               // 1 to 3
-  std::uint32_t rank = 0;               // of its value, d(x); 0 for the greatest one
-  std::vector<std::uint32_t> contacts;  // the balls that are nearest, by id, ascending
+  std::uint8_t index = 0;              // 1 to 3
+  std::uint32_t rank = 0;              // of its value, d(x); 0 for the greatest one
+  std::vector<std::uint32_t> contact;  // the balls that are nearest, by id, ascending
 };
 
 // Where the widest ways between two rooms are narrowest (FC-BALL-09).
@@ -72,7 +72,7 @@ class Pores {
   [[nodiscard]] const std::vector<BallPoint>& points() const { return points_; }
   // d(x) and x of a point, in the units of the balls. Made anew each time.
   [[nodiscard]] QuadraticNumber value(std::uint32_t point) const;
-  [[nodiscard]] std::array<QuadraticNumber, 3> position(std::uint32_t point) const;
+  [[nodiscard]] std::array<QuadraticNumber, 3> center(std::uint32_t point) const;
   // Of the depth or deeper, the deepest first; equally deep ones by their first peaks. One whose gate is below 0 is
   // taken where its peak is as high as the depth, and comes as if its gate were 0.
   [[nodiscard]] const std::vector<Chamber>& chambers() const { return chambers_; }
