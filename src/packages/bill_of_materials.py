@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The bill of materials: the software of others in the programs and the Python package, with versions and licences.
 
-usage: bill_of_materials.py BUILD_DIR -o FILE      (a Ninja build, on Debian)
+usage: bill_of_materials.py BUILD_DIR -o FILE [--notices FOLDER] [--of PROGRAM]      (a Ninja build, on Debian)
        bill_of_materials.py BUILD_DIR --check
        bill_of_materials.py --self-test
 
@@ -9,8 +9,10 @@ Guarantees: SPDX 2.3 as JSON, the same to the byte for the same build. Its time 
 commit. Nothing is written where the check complains. It complains of each library that ldd names, and of each archive
 and header that Ninja recorded, which belongs to nothing in PARTS; of what is in PARTS and not in the build; where
 Debian's copyright file has no such licence; and where the viewer's page has another module than three.js.
+--of: the bill of this program alone. FOLDER gets Debian's copyright files of what is compiled in and linked, PART.txt.
 Exit status: 0; 1 where the check complains; 2 for what cannot be read; 77 where dpkg or Ninja's record is missing.
 """
+import argparse
 import collections
 import json
 import os
@@ -66,9 +68,9 @@ def cached(build, name):
     return re.search(rf"^{name}:\w+=(.*)$", (build / "CMakeCache.txt").read_text(), re.MULTILINE)[1]
 
 
-def used_files(build):
+def used_files(build, patterns):
     """RELATIONSHIP: the files of others that the programs have it to."""
-    programs = [str(path.relative_to(build)) for pattern in PROGRAMS for path in build.glob(pattern)]
+    programs = [str(path.relative_to(build)) for pattern in patterns for path in build.glob(pattern)]
     inputs = set(output_of("ninja", "-C", str(build), "-t", "inputs", *programs).splitlines())
     found = {"STATIC_LINK": {file for file in inputs if file.startswith("/") and file.endswith(".a")},
              "DYNAMIC_LINK": set(re.findall(r"(/\S+) \(0x", output_of("ldd", *(str(build / one) for one in programs)))),
@@ -101,8 +103,8 @@ def packages_of_debian(names):
     return found
 
 
-def sorted_out(used, owner, packages, text_of, parts):
-    """({PART: [(its packages, its relationships)]}, complaints)."""
+def sorted_out(used, owner, packages, text_of, parts, whole=True):
+    """({PART: [(its packages, its relationships)]}, complaints). `whole` where all of the parts have to be there."""
     found, complaints = {part: (set(), set()) for part in parts}, []
     for kind, files in used.items():
         for file in sorted(files):
@@ -114,7 +116,7 @@ def sorted_out(used, owner, packages, text_of, parts):
             else:
                 complaints.append(f"{file} ({package or 'of no package'}) is in the programs and not in the bill")
     for part, (names, _) in found.items():
-        if not names and not part.optional:
+        if whole and not names and not part.optional:
             complaints.append(f"{part.name} is in the bill, and the programs have nothing of it")
         for name in sorted(names):
             if part.says not in " ".join(text_of(packages[name][4]).split()):
@@ -132,6 +134,13 @@ def three_js(page, lock):
     if not made_with or made_with[1] != three.get("version"):
         complaints.append("page.html does not say the version of three.js that package-lock.json has")
     return (modules[""].get("version"), three.get("version"), three.get("license")), complaints
+
+
+def notice(copyright_file):
+    text = copyright_file.read_text(errors="replace")
+    # The two megabytes of Boost's are mostly of parts that are not used.
+    boost = re.search(r"^ Boost Software License - .*?\n\n", text, re.MULTILINE | re.DOTALL)
+    return boost[0] if len(text) > 1e6 and boost else text
 
 
 def quote(text):
@@ -191,6 +200,8 @@ def self_test():
     assert judged({"STATIC_LINK": {"/d.h"}, **right})[1] == ["/d.h (of no package) is in the programs and not in the "
                                                              "bill"]
     assert judged({"DYNAMIC_LINK": {"/b.so"}})[1] == ["A is in the bill, and the programs have nothing of it"]
+    assert sorted_out({"CONTAINS": {"/c.h"}}, owner, packages, str, [], False)[1] != []
+    assert sorted_out({}, owner, packages, str, parts, False) == ({}, [])
     assert judged(right, "License: Zlib")[1] == ["A does not say 'License: Expat', so MIT may be wrong"]
     page = "with three.js 1.2. Made"
     lock = {"": {"version": "3"}, "node_modules/three": {"version": "1.2", "license": "MIT"}}
@@ -211,17 +222,25 @@ def self_test():
 def main(arguments):
     if arguments == ["--self-test"]:
         return self_test()
-    if len(arguments) < 2 or arguments[1:] != ["--check"] and (len(arguments) != 3 or arguments[1] != "-o"):
-        sys.exit(__doc__)
-    build = pathlib.Path(arguments[0]).resolve()
+    parser = argparse.ArgumentParser(usage=__doc__.split("usage: ")[1].split("\n\n")[0])
+    parser.add_argument("build", type=lambda name: pathlib.Path(name).resolve())
+    parser.add_argument("-o", dest="bill", type=pathlib.Path)
+    parser.add_argument("--notices", type=pathlib.Path)
+    parser.add_argument("--of")
+    parser.add_argument("--check", action="store_true")
+    given = parser.parse_args(arguments)
+    build = given.build
+    if given.check == bool(given.bill):
+        parser.error("either -o FILE or --check")
     if not shutil.which("dpkg-query") or not (build / ".ninja_deps").exists():
         print("skipped: the bill of materials needs Debian's dpkg and a Ninja build")
         return 77
     source = pathlib.Path(cached(build, "CMAKE_HOME_DIRECTORY"))
-    used = used_files(build)
+    used = used_files(build, [given.of] if given.of else PROGRAMS)
     owner = owners(set().union(*used.values()))
     packages = packages_of_debian({name for name in owner.values() if name})
-    found, complaints = sorted_out(used, owner, packages, lambda path: path.read_text(errors="replace"), PARTS)
+    found, complaints = sorted_out(used, owner, packages, lambda path: path.read_text(errors="replace"), PARTS,
+                                   whole=not given.of)
     viewer = source / "src" / "viewer"
     three, more = three_js((viewer / "page.html").read_text(), (viewer / "package-lock.json").read_text())
     for complaint in complaints + more:
@@ -229,15 +248,19 @@ def main(arguments):
     if complaints + more:
         return 1
     print(f"{sum(map(len, used.values()))} files of others are of {len(found) + 1} parts, which the bill has")
-    if arguments[1] == "-o":
+    if given.bill:
         created = os.environ.get("SOURCE_DATE_EPOCH") or output_of("git", "-C", str(source), "log", "-1",
                                                                   "--format=%ct", check=False)
         if not created.strip():
             sys.stderr.write("bill_of_materials.py: SOURCE_DATE_EPOCH is not set, and there is no commit\n")
             return 2
         system = platform.freedesktop_os_release()
-        pathlib.Path(arguments[2]).write_text(document(cached(build, "CMAKE_PROJECT_VERSION"), int(created), found,
-                                                       packages, three, (system["ID"], system["NAME"])))
+        given.bill.write_text(document(cached(build, "CMAKE_PROJECT_VERSION"), int(created), found, packages, three,
+                                       (system["ID"], system["NAME"])))
+    if given.notices:
+        given.notices.mkdir(parents=True, exist_ok=True)
+        for part, (names, _) in found.items():
+            (given.notices / f"{part.name}.txt").write_text(notice(packages[min(names)][4]))
     return 0
 
 
