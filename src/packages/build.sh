@@ -16,10 +16,9 @@ newer_pybind11() {
   local folder file options
   folder=$(mktemp -d)
   mkdir -p "$folder/sources" "$folder/lists"
-  for file in /etc/apt/sources.list /etc/apt/sources.list.d/*; do
-    [ ! -s "$file" ] || sed 's/bookworm/trixie/g' "$file" >"$folder/sources/${file##*/sources.}"
+  for file in /etc/apt/sources.list /etc/apt/sources.list.d/*.sources; do
+    [ ! -s "$file" ] || sed 's/bookworm/trixie/g' "$file" >"$folder/sources/${file##*/}"
   done
-  for file in "$folder"/sources/list; do [ ! -f "$file" ] || mv "$file" "$folder/sources/debian.list"; done
   options=(-o Dir::Etc::SourceList=/dev/null -o Dir::Etc::SourceParts="$folder/sources"
            -o Dir::State::Lists="$folder/lists" -o APT::Sandbox::User=root)
   apt-get -qq "${options[@]}" update
