@@ -3,9 +3,9 @@
 
 usage: one_version_test.py BUILD_DIR
 
-Looked at: what cites, the npm package, the change log; in the build, the program, its manual pages and the package for CMake; and
-the metadata of wheel and sdist. python/pip_test compares these with the module's, and ./dev package looks at what it
-makes. Exit status: 0; 1 where one is another.
+Looked at: what cites, the npm package, the change log; in the build, the program, its manual pages and the package for
+CMake; and the metadata of wheel and sdist. python/pip_test compares these with the module's, and ./dev package looks at
+what it makes. Exit status: 0; 1 where one is another.
 """
 import json
 import pathlib
