@@ -1,10 +1,10 @@
 # What CPack makes a package of Debian by, of what `cmake --install` installs: flowcert_VERSION-1~debN_ARCHITECTURE.deb.
 #
-#   FLOWCERT_BUILD=BUILD_DIR cpack --config src/packages/deb.cmake -B OUT_DIR
+#   SOURCE_DATE_EPOCH=SECONDS FLOWCERT_BUILD=BUILD_DIR cpack --config src/packages/deb.cmake -B OUT_DIR
 #
 # The build is of the Debian that this runs on, with the prefix /usr, and has the Python package. BUILD_DIR/bill/ has
 # the bill of materials, flowcert.spdx.json, and notices/. debian/files.cmake puts in place what Debian has elsewhere,
-# and adds what only a package has. With SOURCE_DATE_EPOCH the package is the same to the byte for the same build.
+# and adds what only a package has. The package is the same to the byte for the same build and time.
 set(FLOWCERT_BUILD $ENV{FLOWCERT_BUILD})
 set(FLOWCERT_DEBIAN ${CMAKE_CURRENT_LIST_DIR}/debian)
 set(CPACK_GENERATOR DEB)
