@@ -10,6 +10,23 @@
 #include "list.h"
 #include "pairs_file.h"
 
+#ifndef FLOWCERT_VERSION
+#define FLOWCERT_VERSION "unknown"  // where this file is compiled alone
+#endif
+
+constexpr char kUsage[] = "usage: flowcert-proof SCAN CERTIFICATE [LIST] [--pairs P]";
+constexpr char kHelp[] =
+    "\n\nProves that the cells of CERTIFICATE are a Delaunay triangulation of the points\n"
+    "of SCAN, and by them which stationary points and persistence pairs there are.\n\n"
+    "  SCAN         Points: .xyz, or as flowcert points writes them\n"
+    "  CERTIFICATE  Cells, as compute --certificate writes them\n"
+    "  LIST         Stationary points, as compute -o writes them\n"
+    "  --pairs P    Persistence pairs, as persistence -o or --json writes them\n"
+    "  --help       Print this\n"
+    "  --version    Print the version\n\n"
+    "Exit status: 0, all that was asked is proved; 1, CERTIFICATE is rejected, or\n"
+    "LIST or P refuted; 2, that cannot be decided.\n";
+
 // Files that are not given are empty.
 static void prove(const std::string& scan, const std::string& certificate, const std::string& list,
                   const std::string& pairs) {
@@ -41,8 +58,7 @@ static void prove(const std::string& scan, const std::string& certificate, const
               << (is_json ? "exactly\n" : "as nearest doubles\n");
     if (!skipped.empty()) std::cout << "not compared, header of " << pairs << ": " << skipped << "\n";
   }
-  std::cout << (reader.has_hash() ? "hash of the points not compared\n" : "no hash\n") << std::flush;
-  if (!std::cout) cannot_decide("standard output cannot be written");
+  std::cout << (reader.has_hash() ? "hash of the points not compared\n" : "no hash\n");
 }
 
 int main(int argc, char** argv) {
@@ -54,11 +70,18 @@ int main(int argc, char** argv) {
     words.erase(option, option + 2);
   }
   try {
-    const bool has_option = std::any_of(words.begin(), words.end(), [](auto& word) { return word.starts_with("-"); });
-    if (words.size() < 2 || words.size() > 3 || has_option) {
-      cannot_decide("usage: flowcert-proof SCAN CERTIFICATE [LIST] [--pairs P]");
+    const std::string alone = words.size() == 1 ? words[0] : "";
+    if (alone == "--help") {
+      std::cout << kUsage << kHelp;
+    } else if (alone == "--version") {
+      std::cout << "flowcert-proof " FLOWCERT_VERSION "\n";
+    } else {
+      const bool has_option = std::any_of(words.begin(), words.end(), [](auto& word) { return word.starts_with("-"); });
+      if (words.size() < 2 || words.size() > 3 || has_option) cannot_decide(kUsage);
+      prove(words[0], words[1], words.size() > 2 ? words[2] : "", pairs);
     }
-    prove(words[0], words[1], words.size() > 2 ? words[2] : "", pairs);
+    std::cout << std::flush;
+    if (!std::cout) cannot_decide("standard output cannot be written");
     return 0;
   } catch (const Verdict& verdict) {
     (verdict.exit_status == 1 ? std::cout : std::cerr) << verdict.line << std::endl;

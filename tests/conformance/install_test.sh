@@ -61,7 +61,7 @@ done
 ls "$scratch/prefix/include/flowcert" | diff - "$scratch/reached" || fail "headers that no example reaches are installed"
 "$scratch/prefix/bin/flowcert" --version >"$scratch/version" || fail "the installed program does not run"
 for file in bash-completion/completions/flowcert zsh/site-functions/_flowcert fish/vendor_completions.d/flowcert.fish \
-  man/man1/flowcert.1 man/man1/flowcert-fuzz-merge.1; do
+  man/man1/flowcert.1 man/man1/flowcert-fuzz-merge.1 man/man1/flowcert-proof.1; do
   [ -s "$scratch/prefix/share/$file" ] || fail "share/$file is not installed"
 done
 "$scratch/prefix/bin/flowcert" completion bash | cmp - "$scratch/prefix/share/bash-completion/completions/flowcert" ||

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The manual pages that the build leaves for `cmake --install`: there is one of each command, it says every option that
-# --help says, and a linter of manual pages has nothing to say of it.
+# The manual pages that the build leaves for `cmake --install`: there is one of each command and of flowcert-proof, it
+# says every option that --help says, and a linter of manual pages has nothing to say of it.
 #
 # usage: manual_pages_test.sh BUILD_DIR      (a build with the program; Debian's mandoc)
 #
@@ -55,6 +55,16 @@ for command in '' $commands 'fuzz merge'; do
   for name in $commands; do
     [ -n "$command" ] || grep -q "flowcert-$name(1)" <<<"$text" || fail "$page does not name flowcert-$name"
   done
+done
+# The page of the checker is written by hand.
+page=$build/oracle/proof/flowcert-proof.1
+complaint=$(complaints_about "$page")
+[ -z "$complaint" ] || fail "$complaint"
+version=$("$build/flowcert-proof" --version)
+[ "flowcert ${version#* }" = "$("$flowcert" --version | grep -oE '^flowcert [0-9.]+')" ] || fail "it says $version"
+grep -qF "\"flowcert ${version#* }\"" "$page" || fail "$page is not of $version"
+for option in $("$build/flowcert-proof" --help | grep -oE '^ +--[a-z]+'); do
+  mandoc -Tascii "$page" | sed 's/.\x08//g' | grep -qE -- "^ +$option( |$)" || fail "$page does not say $option"
 done
 [ "$(find "$pages" -name '*.1' | wc -l)" -eq "$count" ] || fail "there are pages of commands that do not exist"
 

@@ -186,6 +186,9 @@ class WitnessTest(proof_py_test.ProofTest):
         scan = self.scan(proof_py_test.SQUARE)
         for arguments in ((), (scan,), (scan, scan, scan, scan), (scan, scan, "--pairs"), (scan, scan, "-x")):
             self.keep(arguments, {2}, "usage: ")
+        self.keep(("--help",), {0}, "usage: ", "--pairs P", "--version", "Exit status: 0")
+        self.keep(("--version",), {0}, "flowcert-proof ")
+        self.keep(("--help",), {2}, FULL)
         out = str(self.folder / "out.fcert")
         self.expect(self.of_cells(proof_py_test.SQUARE, proof_py_test.HALVES, "--from-cells", out), 0)
         self.keep((scan, out), {2}, FULL)
