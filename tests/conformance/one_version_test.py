@@ -43,7 +43,7 @@ def versions(build):
         "METADATA": first(r"^Version: (.*)$", flowcert_build.information()[
             f"{flowcert_build.information_folder()}/METADATA"].decode()),
     }
-    for page in sorted((build / "share/man/man1").glob("*.1")):
+    for page in [*sorted((build / "share/man/man1").glob("*.1")), build / "oracle/proof/flowcert-proof.1"]:
         said[page.name] = first(r'^\.TH \S+ 1 "" "flowcert (.*?)"', read(page))
     return said
 
