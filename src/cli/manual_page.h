@@ -15,7 +15,7 @@ namespace flowcert::cli {
 
 // "flowcert-fuzz-merge": the name of its page, without ".1".
 [[nodiscard]] std::string page_name(const DescribedCommand& command);
-// `version` stands below each page: "flowcert 0.1.0".
+// `version` stands below each page: "flowcert 1.0.0".
 [[nodiscard]] std::string manual_page(const DescribedCommand& program, const DescribedCommand& command,
                                       const std::string& version);
 

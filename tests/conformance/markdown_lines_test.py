@@ -4,8 +4,8 @@
 usage: markdown_lines_test.py [ROOT]
        markdown_lines_test.py --self-test
 
-Guarantees: every Markdown file under ROOT is read, but those in folders of builds and in hidden ones. An address
-(https://...) does not count. Exit status: 0; 1 where a line is too long, and each one is named with file and line.
+Guarantees: every Markdown file under ROOT is read, but those in folders of builds and in hidden ones other than
+.github. An address (https://...) does not count. Exit status: 0; 1 where a line is too long, and each one is named with file and line.
 """
 import pathlib
 import re
@@ -19,7 +19,7 @@ ADDRESS = re.compile(r"https?://[^\s)>]+")
 def markdown_files(root):
     for path in sorted(root.rglob("*.md")):
         folders = path.relative_to(root).parts[:-1]
-        if not any(folder.startswith((".", "build")) for folder in folders):
+        if not any(folder.startswith((".", "build")) and folder != ".github" for folder in folders):
             yield path
 
 
@@ -47,7 +47,7 @@ def check(root):
 def self_test():
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
-        for name in ("a", "a/build-x", "a/.git"):
+        for name in ("a", "a/build-x", "a/.git", ".github"):
             (root / name).mkdir()
         address = "https://example.org/" + "x" * MOST
         (root / "a" / "right.md").write_text(f"{'é' * MOST}\n({address}) {'y' * (MOST - 3)}\n", encoding="utf-8")
@@ -56,6 +56,8 @@ def self_test():
         assert list(long_lines(root)) == [], list(long_lines(root))
         (root / "a" / "wide.md").write_text(f"# A table\n\n| {'x' * MOST} |\n")
         assert list(long_lines(root)) == [f"a/wide.md:3: {MOST + 4} columns; at most {MOST}"], list(long_lines(root))
+        (root / ".github" / "wide.md").write_text("x" * (MOST + 1))
+        assert len(list(long_lines(root))) == 2, list(long_lines(root))
     print("finds lines that are too long, and counts no address")
     return 0
 

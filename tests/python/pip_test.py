@@ -5,9 +5,11 @@ Environment: FLOWCERT_BUILD is that folder. Nothing is compiled.
 
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import sysconfig
+import tarfile
 import zipfile
 
 import flowcert
@@ -65,6 +67,21 @@ def test_the_wheel_has_the_package_and_is_always_the_same(python, tmp_path):
     assert {f"{folder}/{name}" for name in ("METADATA", "WHEEL", "RECORD", "LICENSE")} == set(names) - {
         f"flowcert/{name}" for name in package
     }
+
+
+@pytest.mark.skipif(not (ROOT / ".git").exists(), reason="an sdist is made from a clone")
+def test_the_sdist_has_all_that_pip_reads(python, tmp_path):
+    program = f"import flowcert_build; print(flowcert_build.build_sdist({str(tmp_path)!r}))"
+    name = run(python, "-B", "-c", program, PYTHONPATH="src/python/build_backend").strip()
+    top = f"flowcert-{flowcert.__version__}"
+    assert name == f"{top}.tar.gz"
+    with tarfile.open(tmp_path / name) as archive:
+        content = lambda file: archive.extractfile(f"{top}/{file}").read().decode()
+        assert f"Version: {flowcert.__version__}\n" in content("PKG-INFO")
+        path = re.search(r'^backend-path = \["(.*)"\]$', content("pyproject.toml"), re.MULTILINE)[1]
+        assert "def build_wheel" in content(f"{path}/flowcert_build.py")
+        # The commit, for builds that have no git.
+        assert content("src/io/commit.txt") == run("git", "rev-parse", "HEAD")
 
 
 def test_cmake_installs_it_where_python_looks(tmp_path):

@@ -1,21 +1,26 @@
-"""Builds a wheel of flowcert with CMake, as PEP 517 says. pip calls this; it needs no package of PyPI.
+"""Builds wheels and the sdist of flowcert with CMake and git, as PEP 517 says. pip calls this; it needs no package of
+PyPI. src/packages/wheel.py makes wheels for other machines of it.
 
 What is built where: with FLOWCERT_BUILD, the package is built in that folder, which may be one that is there already,
 as build/ after ./dev build; then nothing is compiled twice. A relative name is below the repository. Without it, the
 folder is build-pip/, which stays, so that the next time is quick. `--config-settings build=FOLDER` is the same.
 
 Guarantees: the wheel has what CMake leaves in FOLDER/python/flowcert/, and is the same to the byte for the same files.
-The metadata say what pyproject.toml says.
+The metadata say what pyproject.toml says. The sdist is what git archives of HEAD, with two more files at the top, and
+is the same to the byte for the same commit and zlib.
 """
 
 import base64
+import gzip
 import hashlib
+import io
 import os
 import pathlib
 import re
 import subprocess
 import sys
 import sysconfig
+import tarfile
 import zipfile
 
 HERE = pathlib.Path(__file__).resolve().parent.parent
@@ -25,22 +30,34 @@ ROOT = HERE.parent.parent
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     folder = ROOT / ((config_settings or {}).get("build") or os.environ.get("FLOWCERT_BUILD") or "build-pip")
     _build(folder)
-    files = _package_files(folder / "python") | _information()
-    name = f"flowcert-{_version()}-{_tag()}.whl"
-    _write(pathlib.Path(wheel_directory) / name, files)
-    return name
+    return write_wheel(wheel_directory, package_files(folder / "python") | information(), _platform())
 
 
 def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
-    for name, content in _information().items():
+    for name, content in information().items():
         path = pathlib.Path(metadata_directory) / name
         path.parent.mkdir(exist_ok=True)
         path.write_bytes(content)
-    return f"flowcert-{_version()}.dist-info"
+    return information_folder()
 
 
 def build_sdist(sdist_directory, config_settings=None):
-    raise RuntimeError("there is no sdist of flowcert: it is built from its repository, by pip install ./src/python")
+    if not (ROOT / ".git").exists():
+        raise SystemExit("the sdist of flowcert is made from a clone of its repository")
+    git = lambda *words: subprocess.run(["git", "-C", str(ROOT), *words], check=True, stdout=subprocess.PIPE).stdout
+    top = f"flowcert-{version()}"
+    content = io.BytesIO(git("archive", f"--prefix={top}/", "HEAD"))
+    settings = (HERE / "pyproject.toml").read_text(encoding="utf-8")
+    # This file stays where it is, so its place is another one seen from the top.
+    settings = settings.replace('["build_backend"]', '["src/python/build_backend"]')
+    with tarfile.open(fileobj=content, mode="a", format=tarfile.PAX_FORMAT) as archive:
+        for name, text in (("PKG-INFO", _metadata()), ("pyproject.toml", settings.encode())):
+            entry = tarfile.TarInfo(f"{top}/{name}")
+            entry.size, entry.mtime = len(text), int(git("log", "-1", "--format=%ct"))
+            archive.addfile(entry, io.BytesIO(text))
+    path = pathlib.Path(sdist_directory) / f"{top}.tar.gz"
+    path.write_bytes(gzip.compress(content.getvalue(), 6, mtime=0))
+    return path.name
 
 
 def _build(folder):
@@ -69,55 +86,64 @@ def _run(*command):
         raise SystemExit("flowcert is built with CMake and Ninja: ./dev build installs what is needed") from None
 
 
-def _version():
+def version():
     text = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
     return re.search(r"project\(flowcert VERSION ([0-9.]+)", text)[1]
 
 
-def _tag():
-    python = f"cp{sys.version_info.major}{sys.version_info.minor}"
-    return f"{python}-{python}-{sysconfig.get_platform().replace('-', '_').replace('.', '_')}"
+def information_folder():
+    return f"flowcert-{version()}.dist-info"
 
 
-def _package_files(folder):
+def _platform():
+    return sysconfig.get_platform().replace("-", "_").replace(".", "_")
+
+
+def package_files(folder):
+    """NAME: content, of the package in the folder, with the extension of this Python."""
     suffix = sysconfig.get_config_var("EXT_SUFFIX")
     paths = [path for path in sorted((folder / "flowcert").iterdir()) if path.is_file()]
     paths = [path for path in paths if not path.name.startswith("_core.c") or path.name == f"_core{suffix}"]
     return {f"flowcert/{path.name}": path.read_bytes() for path in paths}
 
 
-def _information():
-    """The files of flowcert-VERSION.dist-info but RECORD."""
+def _metadata():
     # Python reads TOML from 3.11 on only, and few lines are asked.
     settings = (HERE / "pyproject.toml").read_text(encoding="utf-8")
     setting = lambda name: re.search(rf'^{name} = "(.*)"$', settings, re.MULTILINE)[1]
-    metadata = [
+    lines = [
         "Metadata-Version: 2.1",
         f"Name: {setting('name')}",
-        f"Version: {_version()}",
+        f"Version: {version()}",
         f"Summary: {setting('description')}",
         "License: GPL-3.0-or-later",
         f"Requires-Python: {setting('requires-python')}",
         "Requires-Dist: numpy",
     ]
-    wheel = ["Wheel-Version: 1.0", "Generator: flowcert", "Root-Is-Purelib: false", f"Tag: {_tag()}"]
-    folder = f"flowcert-{_version()}.dist-info"
-    return {
-        f"{folder}/LICENSE": (ROOT / "LICENSE").read_bytes(),
-        f"{folder}/METADATA": ("\n".join(metadata) + "\n").encode(),
-        f"{folder}/WHEEL": ("\n".join(wheel) + "\n").encode(),
-    }
+    return ("\n".join(lines) + "\n").encode()
 
 
-def _write(path, files):
-    record = f"flowcert-{_version()}.dist-info/RECORD"
+def information():
+    """The files of flowcert-VERSION.dist-info that are the same on every machine."""
+    folder = information_folder()
+    return {f"{folder}/LICENSE": (ROOT / "LICENSE").read_bytes(), f"{folder}/METADATA": _metadata()}
+
+
+def write_wheel(directory, files, platform):
+    """Writes the wheel of these files, with WHEEL and RECORD, and returns its name."""
+    python = f"cp{sys.version_info.major}{sys.version_info.minor}"
+    tag, folder = f"{python}-{python}-{platform}", information_folder()
+    wheel = ["Wheel-Version: 1.0", "Generator: flowcert", "Root-Is-Purelib: false", f"Tag: {tag}"]
+    files = {**files, f"{folder}/WHEEL": ("\n".join(wheel) + "\n").encode()}
+    name = f"flowcert-{version()}-{tag}.whl"
     lines = []
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, content in files.items():
+    with zipfile.ZipFile(pathlib.Path(directory) / name, "w", zipfile.ZIP_DEFLATED) as archive:
+        for file, content in files.items():
             digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).decode().rstrip("=")
-            lines.append(f"{name},sha256={digest},{len(content)}\n")
-            archive.writestr(_entry(name), content)
-        archive.writestr(_entry(record), "".join([*lines, f"{record},,\n"]))
+            lines.append(f"{file},sha256={digest},{len(content)}\n")
+            archive.writestr(_entry(file), content)
+        archive.writestr(_entry(f"{folder}/RECORD"), "".join([*lines, f"{folder}/RECORD,,\n"]))
+    return name
 
 
 def _entry(name):
