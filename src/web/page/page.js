@@ -24,8 +24,8 @@ const compiled = Promise.all([
 ]);
 let radii_compiled = null;
 
-// Inputs are { name, content, options, began }: the one that was taken last, the one whose page is in the frame, and the
-// one that is computed, null if it was cancelled. The worker has its own as `input`. Contents may be promises.
+// Inputs are { name, content, options, began }: the one that was taken last, the one whose page is in the frame, and
+// the one that is computed, null if it was cancelled. The worker has its own as `input`. Contents may be promises.
 let taken = null, shown = null, ordered = null;
 let worker = null, clock = 0;
 
