@@ -2,7 +2,7 @@
 import { FlowComplex, FlowcertError, formats, load, type CheckReport, type Fraction } from "flowcert";
 
 await load({ wasm: new Uint8Array(8), checkWasm: "https://example.org/check_module.wasm" });
-using complex = new FlowComplex(new Float64Array(9), {
+const complex = new FlowComplex(new Float64Array(9), {
   name: "points.xyz",
   progress: (part, done, total) => console.log(part === "persistence", done / total),
 });

@@ -3,7 +3,6 @@
 // Guarantees: nothing is rounded but what is called a double, and that is the nearest one. Names of keys in objects
 // are those of the program's JSON (spec/formats/ of the project), and its own objects come as they are. Points are
 // named by their rows, and stationary points by their places in `stationaryPoints`, from 0.
-/// <reference lib="esnext.disposable" />
 
 /** An input that cannot be used. `message` is the line that the program `flowcert` says of it, with file and line. */
 export class FlowcertError extends Error {
@@ -268,5 +267,4 @@ export class FlowComplex {
 
   /** Gives back the memory. No method may be called afterwards. */
   delete(): void;
-  [Symbol.dispose](): void;
 }

@@ -11,7 +11,7 @@ packages=(emscripten libcgal-dev libeigen3-dev libexpat1-dev libfast-float-dev l
 
 rm -rf "$out/package"
 mkdir -p "$out/package/notices"
-cp "$here"/{NOTICES.md,README.md,index.d.ts,index.js,package.json} "$here/../../../LICENSE" "$out/package"
+cp "$here"/{NOTICES.md,README.md,disposable.d.ts,index.d.ts,index.js,package.json} "$here/../../../LICENSE" "$out/package"
 cp "$modules"/{flowcert,radii,check}_module.{js,wasm} "$out/package"
 # The page as it is before and behind its data. Nothing of it is under the GPL.
 node -e '
