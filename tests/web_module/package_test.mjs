@@ -114,6 +114,8 @@ test("the package has what is declared, and nothing else", { skip }, async () =>
   const complex = await made("cube.xyz");
   const own = [...Object.keys(complex), ...Object.getOwnPropertyNames(flowcert.FlowComplex.prototype)];
   assert.deepEqual(new Set(own), members);
+  assert.match(readFileSync(join(installed, "disposable.d.ts"), "utf8"), /^ +\[Symbol\.dispose\]\(\): void;$/m);
+  assert.equal(typeof complex[Symbol.dispose ?? Symbol.for("Symbol.dispose")], "function");
   const exported = [...declared.matchAll(/^export (?:class|function|const) (\w+)/gm)].map((match) => match[1]);
   assert.deepEqual(Object.keys(flowcert).sort(), exported.sort());
   complex.delete();
@@ -377,14 +379,14 @@ test("invalid input gives the program's sentences", { skip }, async () => {
   refused(() => complex.cycles({ level: "200%" }), "cycles", "cube.xyz", "--level", "200%");
   refused(() => complex.cycles({ pair: "1/2" }), "cycles", "cube.xyz", "--pair", "1/2");
   refused(() => complex.surface({ select: "foo<1" }), "surface", "cube.xyz", "-o", "s.ply", "--select", "foo<1");
-  for (const [promise, ...words] of [
-    [complex.pockets({ persistence: -1 }), "pockets", "--persistence", "-1"],
-    [complex.pockets({ probe: "x" }), "pockets", "--probe", "x"],
-    [complex.pores({ radii: "bondi" }), "pores", "--radii", "bondi"],
-    [complex.pores({ radii: 0 }), "pores", "--radii", "0"],
-    [complex.page({ pockets: "foo" }), "view", "-o", "v.html", "--pockets", "foo"],
+  for (const [ask, ...words] of [
+    [() => complex.pockets({ persistence: -1 }), "pockets", "--persistence", "-1"],
+    [() => complex.pockets({ probe: "x" }), "pockets", "--probe", "x"],
+    [() => complex.pores({ radii: "bondi" }), "pores", "--radii", "bondi"],
+    [() => complex.pores({ radii: 0 }), "pores", "--radii", "0"],
+    [() => complex.page({ pockets: "foo" }), "view", "-o", "v.html", "--pockets", "foo"],
   ]) {
-    const error = await promise.catch((thrown) => thrown);
+    const error = await ask().catch((thrown) => thrown);
     const fail = () => {
       throw error;
     };

@@ -22,7 +22,7 @@ namespace {
 using namespace flowcert;
 using Json = nlohmann::ordered_json;
 
-// What a picture needs, and then the rest.
+// The limits of all directions come late, because they take the most memory.
 constexpr std::pair<FlowComplexPart, const char*> kParts[] = {{FlowComplexPart::kTriangulation, "delaunay"},
                                                               {FlowComplexPart::kStationary, "critical"},
                                                               {FlowComplexPart::kStable, "s2"},
