@@ -1,7 +1,7 @@
 // Choices of starts of orbits, drawn by RapidCheck.
 //
-// Guarantees: a choice is drawn without looking at the input, so both shrink, alone or together. It shrinks towards small
-// numbers and the first kind. Apart from orbit_starts.h, because fuzz targets make choices of bytes, and link no
+// Guarantees: a choice is drawn without looking at the input, so both shrink, alone or together. It shrinks towards
+// small numbers and the first kind. Apart from orbit_starts.h, because fuzz targets make choices of bytes, and link no
 // RapidCheck.
 #pragma once
 

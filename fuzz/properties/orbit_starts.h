@@ -1,8 +1,9 @@
 // Starts of orbits for an input, most of them placed exactly where an orbit can go wrong: on Voronoi
 // vertices, edges and facets, on drivers and stationary points, in the plane of some of the points.
 //
-// Guarantees: a start is a function of the point set and a choice, which drawn_start.h draws. A start is mostly where its
-// kind says, but this is not promised (three points need not have a Voronoi edge). Only the oracle's geometry is used.
+// Guarantees: a start is a function of the point set and a choice, which drawn_start.h draws. A start is mostly where
+// its kind says, but this is not promised (three points need not have a Voronoi edge). Only the oracle's geometry is
+// used.
 #pragma once
 
 #include <array>
