@@ -8,7 +8,7 @@
 # each: seeds, executions, edges at the start and at the end. Exit status: 1 where something is found, where a target
 # runs no seed, or needs a library that is not C's.
 set -euo pipefail
-cd "$(dirname "$0")/../.."
+shopt -s failglob  # a folder without targets is a fault
 folder=$(realpath "$1") seconds=$2 status=0
 scratch=$(mktemp -d)
 apt-get -qq update
@@ -22,7 +22,7 @@ export UBSAN_OPTIONS=print_stacktrace=1:print_summary=1:silence_unsigned_overflo
 
 fault() { echo "FAULT: $*"; status=1; }
 # The first or last number after a word in the log.
-number() { { grep -oE "$1 [0-9]+" "$scratch/log" || echo 0; } | "$2" -n 1 | grep -oE '[0-9]+$'; }
+number() { { grep -oE "$1 +[0-9]+" "$scratch/log" || echo 0; } | "$2" -n 1 | grep -oE '[0-9]+$'; }
 
 for program in "$folder"/*/fuzz_*[a-z]; do
   case "$program" in *.dict | *.options | *.zip) continue ;; esac
@@ -36,8 +36,9 @@ for program in "$folder"/*/fuzz_*[a-z]; do
   options=(-rss_limit_mb=2560 "-max_total_time=$seconds" -print_final_stats=1 "-artifact_prefix=$seeds.found-")
   while IFS=' =' read -r option value; do options+=("-$option=$value"); done < <(grep = "$program.options")
   [ ! -f "$program.dict" ] || options+=("-dict=$program.dict")
-  "$program" "${options[@]}" "$seeds.new" "$seeds" >"$scratch/log" 2>&1 ||
-    { tail -n 60 "$scratch/log"; fault "$sanitizer/$name ends with $?"; }
+  result=0
+  "$program" "${options[@]}" "$seeds.new" "$seeds" >"$scratch/log" 2>&1 || result=$?
+  [ "$result" -eq 0 ] || { tail -n 60 "$scratch/log"; fault "$sanitizer/$name ends with $result"; }
   count=$(find "$seeds" -type f | wc -l)
   grep -qE "INITED.* cov: [1-9]" "$scratch/log" || fault "$sanitizer/$name runs no seed"
   printf '%-9s  %-24s  %3d seeds  %9d runs  edges %5d to %5d  %4d MB\n' "$sanitizer" "$name" "$count" \
