@@ -85,7 +85,6 @@ TEST(CommandLine, WrongWordsAreNamedWithWhatIsNearest) {
       {{"generate", "--only", "3"}, "generate has no option '--only'; did you mean --case\\? .*"},
       {{"fuzz", "--search", "10"}, "fuzz has no option '--search'; did you mean --mutants\\? .*"},
       {{"locate", input, "--points", input}, "locate has no option '--points'; did you mean --positions\\? .*"},
-      {{"stats", input, "--levels=2"}, "stats has no option '--levels' .*"},
       {{"stats", input, "-q"}, "stats has no option '-q' \\(see flowcert stats --help\\)"},
       {{"--json", "compute", input}, "--json has to stand after compute .*"},
       {{"fuzz", "merge", "a", "--jsn"}, ".* no option '--jsn'; .* --json\\? \\(see flowcert fuzz merge --help\\)"},
