@@ -30,7 +30,7 @@ runtime=$(clang++ -print-file-name="lib/linux/libclang_rt.fuzzer-$(uname -m).a")
 nm "$runtime" 2>/dev/null | awk 'NF == 3 && $2 ~ /[BDTVW]/ { print $3 }' |
   grep -E '^(main$|LLVMFuzzer|__libfuzzer|__sancov_|__sanitizer_|_ZTW)' | sort -u >"$base/engine.symbols"
 ld -r --force-group-allocation --whole-archive "$runtime" --no-whole-archive \
-  "$(g++ -print-file-name=libstdc++.a)" -o "$base/engine.o"
+  "$(clang++ -print-file-name=libstdc++.a)" -o "$base/engine.o"
 objcopy --keep-global-symbols="$base/engine.symbols" "$base/engine.o"
 ar rcs "$base/libFuzzingEngine.a" "$base/engine.o"
 
