@@ -52,7 +52,8 @@ inline std::string compare_exact(const std::string& path, const Points& points, 
                                  const PersistencePairs& pairs) {
   Comparison file("pairs", path, points, stationary);
   file.compare_header("flowcert-persistence");
-  file.need_key("has_zero", {"counts", "ties_broken", "seed"});
+  // Programs before 1.0.0 wrote times, too.
+  file.need_key("has_zero", {"counts", "ties_broken", "seed", "seconds", "ratio_to_delaunay"});
   if (!file.take("false")) file.fail("it has pairs of length zero");
   std::vector<bool> is_used(stationary.all().size());
   const auto compare_point = [&](std::size_t index) {
