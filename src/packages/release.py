@@ -6,8 +6,8 @@ usage: release.py FOLDER VERSION COMMIT        (writes FOLDER/SHA256SUMS; ./dev 
        release.py --self-test
 
 Guarantees: no checksums are written where a file's name, metadata or sources are of another version, where sources or
-the modules for JavaScript are of another commit, or where one of the kinds is missing that every release has. Two makings
-are compared to the byte, and what differs in a file is named, with its times and modes. Exit status: 0; 1 for
+the modules for JavaScript are of another commit, or where one of the kinds is missing that every release has. Two
+makings are compared to the byte, and what differs in a file is named, with its times and modes. Exit status: 0; 1 for
 complaints, and where a file differs that MAY_DIFFER does not explain; 2 for what cannot be read.
 """
 import hashlib
@@ -48,7 +48,7 @@ def members(path):
 
 
 # For each: its name; [(what says a version, its pattern there)]; what has the commit, by a pattern of names. A wheel has
-# none, and in a package of Debian the program has it in pieces: ./dev package has asked `flowcert --version` there.
+# none. In a package of Debian the program has it in pieces, and ./dev package has asked `flowcert --version` there.
 PROJECT = ("CMakeLists.txt", r"^project\(flowcert VERSION (\S+)")
 KINDS = {
     "source archive": (r"flowcert-{}-source\.tar\.gz", [PROJECT], r"src/io/commit\.txt"),
