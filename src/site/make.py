@@ -1,0 +1,123 @@
+#!/usr/bin/env python3
+"""The site, of what the repository and a build have.
+
+usage: make.py BUILD [--pages]         (--pages: gathers and makes what the pages need, and leaves Sphinx out)
+
+Guarantees: BUILD/site/ is the whole site; its sources are in BUILD/site-pages/, and what is copied as it is in
+BUILD/site-files/. The program, the Python package and the reference of C++ are those of BUILD. Sphinx's warnings are
+errors, so that a link to what is not there ends it. Files beyond MOST bytes, without the reference of C++, do, too.
+"""
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+import gathered_pages
+import scaling_plot
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BUNNY = pathlib.Path("/usr/share/glmark2/models/bunny.obj")
+EVERY = 7  # of the bunny's points that the front page shows
+MOST = 10_000_000
+PYTHON = "/usr/bin/python3"  # which knows Debian's packages
+
+
+def run(*words, **options):
+    return subprocess.run([str(word) for word in words], check=True, **options)
+
+
+def manual_pages(build, folder):
+    """A page of each command, of its manual page."""
+    folder.mkdir()
+    for roff in [*sorted((build / "share/man/man1").glob("*.1")), build / "oracle/proof/flowcert-proof.1"]:
+        made = run("mandoc", "-T", "html", "-O", "fragment", roff, stdout=subprocess.PIPE, text=True).stdout
+        made = re.sub(r"^<table class=\"(?:head|foot)\">.*?</table>\n?", "", made, flags=re.DOTALL | re.MULTILINE)
+        made = re.sub(r"(</?)h1\b", r"\1h2", made)
+        made = re.sub(r"(?:<b>)?(flowcert[a-z-]*)(?:</b>)?\(1\)", r'<a href="\1.html">\1(1)</a>', made)
+        made = re.sub(r"\n\s*\n", "\n", made)
+        (folder / f"{roff.stem}.md").write_text(f"# {roff.stem}\n\n```{{raw}} html\n{made}```\n", encoding="utf-8")
+
+
+def live_bunny(build, page):
+    """The viewer's page of every seventh point of the bunny, which a browser has drawn at once."""
+    points = [line[1:] for line in BUNNY.read_text().splitlines() if line.startswith("v ")][::EVERY]
+    run(build / "flowcert", "view", "-", "-o", page, input="\n".join(points), text=True, stdout=subprocess.DEVNULL)
+    text = page.read_text(encoding="utf-8")
+    page.write_text(re.sub(r"<title>[^<]*</title>", "<title>The Stanford bunny</title>", text, count=1),
+                    encoding="utf-8")
+
+
+def notebooks(build, pages):
+    """Notebooks of the tutorial, run, each as a page and as a file; none without what makes them."""
+    maker = ROOT / "src/site/notebooks.py"
+    folder = pages / "notebooks"
+    folder.mkdir()
+    lines = ["# Notebooks\n"]
+    if maker.is_file():
+        lines.append("Each is a page of the tutorial, for Jupyter; its outputs are what it printed here.\n")
+        environment = {"PYTHONPATH": str(build / "python"), "PATH": f"{build}:/usr/bin:/bin", "FLOWCERT": str(ROOT),
+                       "HOME": str(build), "PYTHONDONTWRITEBYTECODE": "1"}
+        run(PYTHON, maker, ROOT / "src/site/tutorial", folder, "--execute", env=environment)
+        for notebook in sorted(folder.glob("*.ipynb")):
+            made = run(PYTHON, "-m", "nbconvert", "--to", "html", "--template", "basic", "--stdout", notebook,
+                       env=environment, stdout=subprocess.PIPE, text=True).stdout
+            title = re.search(r'"# ([^"\\]*)', notebook.read_text(encoding="utf-8")).group(1)
+            made = re.sub(r"<(/?)h1\b", r"<\1h2", made).replace("`" * 3, "&#96;" * 3)
+            notebook.with_suffix(".md").write_text(
+                f"# {title}: the notebook\n\n[{notebook.name}]({notebook.name})\n\n````{{raw}} html\n{made}\n````\n",
+                encoding="utf-8")
+            lines.append(f"- [{title}]({notebook.stem}.md)")
+        lines.append("\n```{toctree}\n:hidden:\n:glob:\n*_*\n```")
+    else:
+        lines.append("This site was made without them.")
+    (folder / "index.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def gather(build):
+    """Everything but Sphinx's part. Returns whether the page that computes is there."""
+    pages, files = build / "site-pages", build / "site-files"
+    for folder in (pages, files):
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir(parents=True)
+    gathered_pages.Gathered(ROOT, pages).gather()
+    manual_pages(build, pages / "commands")
+    scaling_plot.draw((ROOT / "tests/bench/README.md").read_text(encoding="utf-8"), pages / "scaling.svg")
+    notebooks(build, pages)
+    run(PYTHON, ROOT / "src/site/tutorial/pictures.py", build / "flowcert", pages / "tutorial")
+    live_bunny(build, files / "bunny.html")
+    computing = ROOT / "build-wasm/flowcert.html"
+    if computing.is_file():
+        shutil.copyfile(computing, files / "flowcert.html")
+    else:
+        print("no build-wasm/flowcert.html: the site says how ./dev wasm makes the page that computes")
+    shutil.copytree(build / "reference/html", files / "cpp")
+    return computing.is_file()
+
+
+def size_of(folder):
+    return sum(path.stat().st_size for path in folder.rglob("*") if path.is_file())
+
+
+def main():
+    build = pathlib.Path(sys.argv[1]).resolve()
+    is_computing = gather(build)
+    if "--pages" in sys.argv:
+        return 0
+    site = build / "site"
+    shutil.rmtree(site, ignore_errors=True)
+    run(PYTHON, "-m", "sphinx", "-b", "html", "-q", "-W", "--keep-going", "-d", build / "site-doctrees", "-E",
+        *(["-t", "computing"] if is_computing else []), "-c", ROOT / "src/site", build / "site-pages", site,
+        env={"PYTHONPATH": str(build / "python"), "PATH": "/usr/bin:/bin", "LANG": "C.UTF-8", "HOME": str(build),
+             "PYTHONDONTWRITEBYTECODE": "1"})
+    cpp, whole = size_of(site / "cpp"), size_of(site)
+    print(f"build/site/index.html: {(whole - cpp) / 1e6:.1f} MB, and {cpp / 1e6:.1f} MB of the reference of C++")
+    if whole - cpp > MOST:
+        sys.exit(f"without that reference it has {whole - cpp:,} bytes; at most {MOST:,}")
+    return 0
+
+
+if __name__ == "__main__":
+    if len(sys.argv) not in (2, 3):
+        sys.exit(__doc__)
+    sys.exit(main())
