@@ -35,4 +35,3 @@ html_show_copyright = False
 html_domain_indices = False
 # Its excerpts are fetched, and browsers refuse that from disk.
 html_show_search_summary = False
-html_extra_path = ["../site-files"]

@@ -23,7 +23,9 @@ PLACES = {
     "spec": "spec",
     ".github": "contributing",
 }
-CODE = re.compile(r"(^(?P<fence>`{3,}|:{3,}).*?^(?P=fence)\s*$|`[^`\n]+`)", re.MULTILINE | re.DOTALL)
+# The npm package has this file beside its README.
+ELSEWHERE = {"src/web/package/LICENSE": "LICENSE"}
+CODE = re.compile(r"(^(?P<fence>`{3,}).*?^(?P=fence)\s*$|`[^`\n]+`)", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"\]\(([^)\s#]+)(#[^)\s]*)?\)")
 
 
@@ -62,7 +64,8 @@ class Gathered:
         return place_of(name)
 
     def link(self, page, target, anchor):
-        path = pathlib.Path(os.path.normpath(self.root / pathlib.PurePath(page).parent / target))
+        name = os.path.normpath(pathlib.PurePath(page).parent / target)
+        path = pathlib.Path(os.path.normpath(self.root / ELSEWHERE.get(name, name)))
         if "://" in target or not path.exists() or not path.is_relative_to(self.root):
             return f"]({target}{anchor})"
         name = place_of(str(path.relative_to(self.root)))

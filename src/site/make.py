@@ -107,7 +107,7 @@ def main():
     site = build / "site"
     shutil.rmtree(site, ignore_errors=True)
     run(PYTHON, "-m", "sphinx", "-b", "html", "-q", "-W", "--keep-going", "-d", build / "site-doctrees", "-E",
-        *(["-t", "computing"] if is_computing else []), "-c", ROOT / "src/site", build / "site-pages", site,
+        "-D", f"html_extra_path={build / 'site-files'}", *(["-t", "computing"] if is_computing else []), "-c", ROOT / "src/site", build / "site-pages", site,
         env={"PYTHONPATH": str(build / "python"), "PATH": "/usr/bin:/bin", "LANG": "C.UTF-8", "HOME": str(build),
              "PYTHONDONTWRITEBYTECODE": "1"})
     cpp, whole = size_of(site / "cpp"), size_of(site)

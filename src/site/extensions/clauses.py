@@ -24,7 +24,7 @@ log = logging.getLogger(__name__)
 
 def clause_of(paragraph):
     """The id that a paragraph defines, with the node that has it; or None."""
-    first = paragraph.children[0] if paragraph.children else None
+    first = next((child for child in paragraph.children if child.astext()), None)
     if isinstance(first, nodes.strong) and ID.fullmatch(first.astext()):
         return first.astext(), first
     if isinstance(first, nodes.Text) and isinstance(paragraph.parent, nodes.list_item):
