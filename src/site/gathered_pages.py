@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """The repository's Markdown, as one tree of pages for Sphinx.
 
-usage: gathered_pages.py --self-test
+usage: gathered_pages.py --check          (whether each page is in one list of pages/, and links lead to what is there)
+       gathered_pages.py --self-test
 
 Guarantees: every Markdown file that is no build's is a page, in the folder that PLACES names, or else in its own one.
 Links between pages lead to the same pages and anchors as before. A file that a page links, and that is no page, is
@@ -15,6 +16,7 @@ import shutil
 import sys
 import tempfile
 
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 # FOLDER of the repository: folder of the site. The longest one that fits decides.
 PLACES = {
     "src/site/pages": "",
@@ -26,6 +28,9 @@ PLACES = {
 # The npm package has this file beside its README.
 ELSEWHERE = {"src/web/package/LICENSE": "LICENSE"}
 CODE = re.compile(r"(^(?P<fence>`{3,}).*?^(?P=fence)\s*$|`[^`\n]+`)", re.MULTILINE | re.DOTALL)
+TOCTREE = re.compile(r"^```\{toctree\}\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+# What make.py and the tutorial's pictures.py draw.
+MADE = re.compile(r"scaling\.svg$|^[a-z_]+\.(svg|png)$")
 LINK = re.compile(r"\]\(([^)\s#]+)(#[^)\s]*)?\)")
 
 
@@ -91,6 +96,31 @@ class Gathered:
         return page
 
 
+def complaints(root):
+    """Yields a line for each link that leads nowhere, and for each page that not exactly one list of pages/ has."""
+    with tempfile.TemporaryDirectory() as scratch:
+        output = pathlib.Path(scratch)
+        pages = Gathered(root, output).gather()
+        listed = []
+        for page in pages:
+            text = (output / page).read_text(encoding="utf-8")
+            for block in TOCTREE.findall(text):
+                listed += [line for line in block.splitlines() if line and not line.startswith(":")]
+            for target, _ in LINK.findall("".join(CODE.split(text)[::3])):
+                if "://" not in target and not (output / page).parent.joinpath(target).exists():
+                    if not MADE.match(target):
+                        yield f"{page}: the link {target} leads nowhere"
+        for name in sorted({page.removesuffix(".md") for page in pages} - {"index"}):
+            if listed.count(name) != 1:
+                yield f"{name}.md: {listed.count(name)} lists of src/site/pages/ have it, and not one"
+
+
+def check():
+    found = list(complaints(ROOT))
+    print("\n".join(f"FAIL: {line}" for line in found) or "every page is in one list, and every link leads somewhere")
+    return 1 if found else 0
+
+
 def self_test():
     with tempfile.TemporaryDirectory() as scratch:
         root, output = pathlib.Path(scratch, "root"), pathlib.Path(scratch, "output")
@@ -108,9 +138,14 @@ def self_test():
         assert (output / "spec/page.md").read_text() == (
             "[a](schemas/files.md) [b](../manual/view.md) [c](#d) [e](https://x.org/y)\n")
         assert "[a.json](a.json)" in (output / "spec/schemas/files.md").read_text()
-    print("links lead to where the pages are, and code stays as it is")
+        (root / "src/site/pages/index.md").write_text("[a](none.md) ![b](scaling.svg)\n```{toctree}\nspec/page\n```\n")
+        assert list(complaints(root)) == [
+            "index.md: the link none.md leads nowhere",
+            "manual/view.md: 0 lists of src/site/pages/ have it, and not one"], list(complaints(root))
+    print("links lead to where the pages are, code stays as it is, and what is in no list is found")
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(self_test() if sys.argv[1:] == ["--self-test"] else __doc__)
+    modes = {"--check": check, "--self-test": self_test}
+    sys.exit(modes[sys.argv[1]]() if len(sys.argv) == 2 and sys.argv[1] in modes else __doc__)

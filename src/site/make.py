@@ -13,13 +13,17 @@ import shutil
 import subprocess
 import sys
 
+import PIL.Image
+
 import gathered_pages
 import scaling_plot
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUNNY = pathlib.Path("/usr/share/glmark2/models/bunny.obj")
-EVERY = 7  # of the bunny's points that the front page shows
+EVERY = 10  # of the bunny's points that the front page shows
 MOST = 10_000_000
+# Debian 12's Sphinx has them for the scripts of others' extensions; templates/base.html leaves them out.
+NOT_USED = ("jquery.js", "underscore.js", "_sphinx_javascript_frameworks_compat.js")
 PYTHON = "/usr/bin/python3"  # which knows Debian's packages
 
 
@@ -40,7 +44,7 @@ def manual_pages(build, folder):
 
 
 def live_bunny(build, page):
-    """The viewer's page of every seventh point of the bunny, which a browser has drawn at once."""
+    """The viewer's page of every tenth point of the bunny, which a browser has drawn at once."""
     points = [line[1:] for line in BUNNY.read_text().splitlines() if line.startswith("v ")][::EVERY]
     run(build / "flowcert", "view", "-", "-o", page, input="\n".join(points), text=True, stdout=subprocess.DEVNULL)
     text = page.read_text(encoding="utf-8")
@@ -48,30 +52,20 @@ def live_bunny(build, page):
                     encoding="utf-8")
 
 
-def notebooks(build, pages):
-    """Notebooks of the tutorial, run, each as a page and as a file; none without what makes them."""
-    maker = ROOT / "src/site/notebooks.py"
-    folder = pages / "notebooks"
-    folder.mkdir()
-    lines = ["# Notebooks\n"]
-    if maker.is_file():
-        lines.append("Each is a page of the tutorial, for Jupyter; its outputs are what it printed here.\n")
-        environment = {"PYTHONPATH": str(build / "python"), "PATH": f"{build}:/usr/bin:/bin", "FLOWCERT": str(ROOT),
-                       "HOME": str(build), "PYTHONDONTWRITEBYTECODE": "1"}
-        run(PYTHON, maker, ROOT / "src/site/tutorial", folder, "--execute", env=environment)
-        for notebook in sorted(folder.glob("*.ipynb")):
-            made = run(PYTHON, "-m", "nbconvert", "--to", "html", "--template", "basic", "--stdout", notebook,
-                       env=environment, stdout=subprocess.PIPE, text=True).stdout
-            title = re.search(r'"# ([^"\\]*)', notebook.read_text(encoding="utf-8")).group(1)
-            made = re.sub(r"<(/?)h1\b", r"<\1h2", made).replace("`" * 3, "&#96;" * 3)
-            notebook.with_suffix(".md").write_text(
-                f"# {title}: the notebook\n\n[{notebook.name}]({notebook.name})\n\n````{{raw}} html\n{made}\n````\n",
-                encoding="utf-8")
-            lines.append(f"- [{title}]({notebook.stem}.md)")
-        lines.append("\n```{toctree}\n:hidden:\n:glob:\n*_*\n```")
-    else:
-        lines.append("This site was made without them.")
-    (folder / "index.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
+def notebooks(pages):
+    """Pages of the tutorial as notebooks, to be run; a test runs them."""
+    (pages / "notebooks").mkdir()
+    run(PYTHON, ROOT / "src/site/notebooks.py", ROOT / "src/site/tutorial", pages / "notebooks")
+    lines = ["# Notebooks\n", "Pages of the tutorial for Jupyter, each with a last cell that shows the viewer's page:\n"]
+    lines += [f"- [{path.name}]({path.name})" for path in sorted((pages / "notebooks").glob("*.ipynb"))]
+    lines.append("\nThey have no outputs yet; a test runs them, and compares what they print with the pages.")
+    (pages / "notebooks/index.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def fewer_colors(pages):
+    """Pictures with at most 256 colours, a third of the bytes."""
+    for path in pages.rglob("*.png"):
+        PIL.Image.open(path).convert("RGB").quantize(256).save(path, optimize=True)
 
 
 def gather(build):
@@ -83,8 +77,9 @@ def gather(build):
     gathered_pages.Gathered(ROOT, pages).gather()
     manual_pages(build, pages / "commands")
     scaling_plot.draw((ROOT / "tests/bench/README.md").read_text(encoding="utf-8"), pages / "scaling.svg")
-    notebooks(build, pages)
+    notebooks(pages)
     run(PYTHON, ROOT / "src/site/tutorial/pictures.py", build / "flowcert", pages / "tutorial")
+    fewer_colors(pages)
     live_bunny(build, files / "bunny.html")
     computing = ROOT / "build-wasm/flowcert.html"
     if computing.is_file():
@@ -110,6 +105,8 @@ def main():
         "-D", f"html_extra_path={build / 'site-files'}", *(["-t", "computing"] if is_computing else []), "-c", ROOT / "src/site", build / "site-pages", site,
         env={"PYTHONPATH": str(build / "python"), "PATH": "/usr/bin:/bin", "LANG": "C.UTF-8", "HOME": str(build),
              "PYTHONDONTWRITEBYTECODE": "1"})
+    for script in NOT_USED:
+        (site / "_static" / script).unlink(missing_ok=True)
     cpp, whole = size_of(site / "cpp"), size_of(site)
     print(f"build/site/index.html: {(whole - cpp) / 1e6:.1f} MB, and {cpp / 1e6:.1f} MB of the reference of C++")
     if whole - cpp > MOST:

@@ -3,12 +3,14 @@ import time
 import urllib.parse
 
 import pytest
-from selenium.webdriver.common.keys import Keys
 
-from browser import WAIT
-from computing_page import Server
-from conftest import PHONE, set_width
-from policy_test import DOCUMENT, IN_DOCUMENT
+pytest.importorskip("selenium", reason="there is no selenium")
+from selenium.webdriver.common.keys import Keys  # noqa: E402
+
+from browser import WAIT  # noqa: E402
+from computing_page import Server  # noqa: E402
+from conftest import PHONE, set_width  # noqa: E402
+from policy_test import DOCUMENT, IN_DOCUMENT  # noqa: E402
 
 # Whether the scene has drawn: its canvas has pixels of more than a few colours.
 DRAWN = """
