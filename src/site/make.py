@@ -22,8 +22,12 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUNNY = pathlib.Path("/usr/share/glmark2/models/bunny.obj")
 EVERY = 10  # of the bunny's points that the front page shows
 MOST = 10_000_000
-# Debian 12's Sphinx has them for the scripts of others' extensions; templates/base.html leaves them out.
-NOT_USED = ("jquery.js", "underscore.js", "_sphinx_javascript_frameworks_compat.js")
+# Debian 12's Sphinx has them for extensions of others; templates/base.html leaves them out. The theme's script is a
+# module there, which browsers refuse from disk; what it adds is a switch of colours and a mark in the contents.
+NOT_USED = ("jquery.js", "underscore.js", "_sphinx_javascript_frameworks_compat.js", "scripts/furo.js",
+            "scripts/gumshoe-patched.js")
+# Debian's theme asks a web server of Debian's for this file.
+NORMALIZE = pathlib.Path("/usr/share/javascript/normalize.css/normalize.min.css")
 PYTHON = "/usr/bin/python3"  # which knows Debian's packages
 
 
@@ -90,6 +94,16 @@ def gather(build):
     return computing.is_file()
 
 
+def close(static):
+    """Takes away what is not used, and what would be asked for elsewhere."""
+    for script in NOT_USED:
+        (static / script).unlink(missing_ok=True)
+    sheet = static / "styles/furo.css"
+    text = re.sub(r"@import url\(/javascript/normalize\.css/[^)]*\);", lambda _: NORMALIZE.read_text(),
+                  sheet.read_text(encoding="utf-8"))
+    sheet.write_text(text, encoding="utf-8")
+
+
 def size_of(folder):
     return sum(path.stat().st_size for path in folder.rglob("*") if path.is_file())
 
@@ -105,8 +119,7 @@ def main():
         "-D", f"html_extra_path={build / 'site-files'}", *(["-t", "computing"] if is_computing else []), "-c", ROOT / "src/site", build / "site-pages", site,
         env={"PYTHONPATH": str(build / "python"), "PATH": "/usr/bin:/bin", "LANG": "C.UTF-8", "HOME": str(build),
              "PYTHONDONTWRITEBYTECODE": "1"})
-    for script in NOT_USED:
-        (site / "_static" / script).unlink(missing_ok=True)
+    close(site / "_static")
     cpp, whole = size_of(site / "cpp"), size_of(site)
     print(f"build/site/index.html: {(whole - cpp) / 1e6:.1f} MB, and {cpp / 1e6:.1f} MB of the reference of C++")
     if whole - cpp > MOST:

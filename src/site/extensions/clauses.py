@@ -8,6 +8,7 @@ Below each block `example` or `judgement` stands what runs it in a shell.
 import html
 import re
 import shlex
+from fractions import Fraction
 
 from docutils import nodes
 from pygments.lexers.special import TextLexer
@@ -48,6 +49,11 @@ def sections_of(block):
     return found
 
 
+def as_decimals(row):
+    """The same doubles; a judgement may have them as fractions, which no file of points has."""
+    return " ".join(repr(float(Fraction(x))) if "/" in x else x for x in row.split())
+
+
 def here_document(lines):
     return "<<'END'\n" + "".join(line + "\n" for line in lines) + "END\n"
 
@@ -55,7 +61,7 @@ def here_document(lines):
 def commands_of(language, block):
     """What runs a block in a shell, from an empty folder; the program is on its path."""
     found = sections_of(block)
-    text = "cat > points.xyz " + here_document(found["points"])
+    text = "cat > points.xyz " + here_document(map(as_decimals, found["points"]))
     if language == "judgement":
         return text + "flowcert check points.xyz - " + here_document(found["claim"])
     words = [line.split() for line in found["expect"]]
