@@ -108,7 +108,7 @@ def test_the_menu_of_a_phone_by_keyboard(browser, site):
     assert not browser.run("return document.getElementById('__navigation').checked")
     browser.keys(Keys.ENTER)
     assert browser.run("return document.getElementById('__navigation').checked")
-    tab_to(browser, lambda it: it["href"].endswith("/tutorial/judge.html"))
+    tab_to(browser, lambda it: it["href"].endswith("/spec/claims.html"))
     browser.keys(Keys.ESCAPE)
     assert not browser.run("return document.getElementById('__navigation').checked")
 
