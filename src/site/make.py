@@ -12,6 +12,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 
 import PIL.Image
 
@@ -50,10 +51,10 @@ def manual_pages(build, folder):
 def live_bunny(build, page):
     """The viewer's page of every tenth point of the bunny, which a browser has drawn at once."""
     points = [line[1:] for line in BUNNY.read_text().splitlines() if line.startswith("v ")][::EVERY]
-    run(build / "flowcert", "view", "-", "-o", page, input="\n".join(points), text=True, stdout=subprocess.DEVNULL)
-    text = page.read_text(encoding="utf-8")
-    page.write_text(re.sub(r"<title>[^<]*</title>", "<title>The Stanford bunny</title>", text, count=1),
-                    encoding="utf-8")
+    with tempfile.TemporaryDirectory() as scratch:
+        path = pathlib.Path(scratch, "bunny.xyz")  # the page tells its name
+        path.write_text("\n".join(points))
+        run(build / "flowcert", "view", path, "-o", page, stdout=subprocess.DEVNULL)
 
 
 def notebooks(pages):

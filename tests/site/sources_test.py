@@ -54,6 +54,6 @@ def test_the_plot_is_that_of_the_table(site, tmp_path):
 def test_html_is_right(pages):
     if not shutil.which("tidy"):
         pytest.skip("there is no tidy")
-    done = subprocess.run(["tidy", "-q", "-e", "-utf8", "--show-warnings", "no", "--emacs", "yes",
+    done = subprocess.run(["tidy", "-q", "-e", "-utf8", "--show-warnings", "no", "--gnu-emacs", "yes",
                            *map(str, pages.values())], capture_output=True, text=True, check=False)
     assert [line for line in done.stderr.splitlines() if ": Error:" in line] == []
