@@ -93,7 +93,7 @@ class Clauses(SphinxTransform):
                 link = nodes.reference("", "", refid=name, internal=True, classes=["clause"])
                 strong.replace_self(link)
                 link += strong
-            entry = addnodes.index(entries=[("single", name, name, "", None)])
+            entry = addnodes.index(entries=[("single", name, name, "main", None)])
             paragraph.parent.insert(paragraph.parent.index(paragraph), entry)
         for block in list(self.document.findall(nodes.literal_block)):
             if block.get("language") in ("example", "judgement"):

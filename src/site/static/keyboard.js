@@ -1,7 +1,7 @@
 // Without a mouse: the theme's menus are labels of hidden boxes, which no key reaches. Here they are buttons, too.
 addEventListener('DOMContentLoaded', () => {
   if (!document.querySelector('.skip-to-content')) {  // later versions of the theme have one
-    document.querySelector('article').id ||= 'text';
+    document.querySelector('article').id ||= '__text';
     const href = `#${document.querySelector('article').id}`;
     document.body.prepend(Object.assign(document.createElement('a'), {className: 'skip', href, textContent: 'Skip to the text'}));
   }
