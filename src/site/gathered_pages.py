@@ -129,7 +129,8 @@ def self_test():
         for name in ("src/cli/manual/view.md", "build/x/left_out.md", "src/tool.h", "spec/schemas/a.json"):
             (root / name).write_text("# A\n")
         (root / "src/site/pages/index.md").write_text(
-            "[a](../../cli/manual/view.md#b) `[](tool.h)`\n```cpp\n[c](../../tool.h)\n```\n[d](../../tool.h) [e](none.md)\n")
+            "[a](../../cli/manual/view.md#b) `[](tool.h)`\n```cpp\n[c](../../tool.h)\n```\n"
+            "[d](../../tool.h) [e](none.md)\n")
         (root / "spec/page.md").write_text("[a](schemas) [b](../src/cli/manual/view.md) [c](#d) [e](https://x.org/y)\n")
         assert Gathered(root, output).gather() == ["spec/page.md", "manual/view.md", "index.md"]
         assert (output / "index.md").read_text() == (
@@ -138,7 +139,8 @@ def self_test():
         assert (output / "spec/page.md").read_text() == (
             "[a](schemas/files.md) [b](../manual/view.md) [c](#d) [e](https://x.org/y)\n")
         assert "[a.json](a.json)" in (output / "spec/schemas/files.md").read_text()
-        (root / "src/site/pages/index.md").write_text("[a](none.md) ![b](scaling.svg)\n```{toctree}\nspec/page\n```\n")
+        (root / "src/site/pages/index.md").write_text(
+            "[a](none.md) ![b](scaling.svg)\n```{toctree}\nspec/page\n```\n")
         assert list(complaints(root)) == [
             "index.md: the link none.md leads nowhere",
             "manual/view.md: 0 lists of src/site/pages/ have it, and not one"], list(complaints(root))

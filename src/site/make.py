@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The site, of what the repository and a build have.
 
-usage: make.py BUILD [--pages]         (--pages: gathers and makes what the pages need, and leaves Sphinx out)
+usage: make.py BUILD
 
 Guarantees: BUILD/site/ is the whole site; its sources are in BUILD/site-pages/, and what is copied as it is in
 BUILD/site-files/. The program, the Python package and the reference of C++ are those of BUILD. Sphinx's warnings are
@@ -61,7 +61,8 @@ def notebooks(pages):
     """Pages of the tutorial as notebooks, to be run; a test runs them."""
     (pages / "notebooks").mkdir()
     run(PYTHON, ROOT / "src/site/notebooks.py", ROOT / "src/site/tutorial", pages / "notebooks")
-    lines = ["# Notebooks\n", "Pages of the tutorial for Jupyter, each with a last cell that shows the viewer's page:\n"]
+    lines = ["# Notebooks\n",
+             "Pages of the tutorial for Jupyter, each with a last cell that shows the viewer's page:\n"]
     lines += [f"- [{path.name}]({path.name})" for path in sorted((pages / "notebooks").glob("*.ipynb"))]
     lines.append("\nThey have no outputs yet; a test runs them, and compares what they print with the pages.")
     (pages / "notebooks/index.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
@@ -112,12 +113,11 @@ def size_of(folder):
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
     is_computing = gather(build)
-    if "--pages" in sys.argv:
-        return 0
     site = build / "site"
     shutil.rmtree(site, ignore_errors=True)
-    run(PYTHON, "-m", "sphinx", "-b", "html", "-q", "-W", "--keep-going", "-d", build / "site-doctrees", "-E",
-        "-D", f"html_extra_path={build / 'site-files'}", *(["-t", "computing"] if is_computing else []), "-c", ROOT / "src/site", build / "site-pages", site,
+    tags = ["-t", "computing"] if is_computing else []
+    run(PYTHON, "-m", "sphinx", "-b", "html", "-q", "-W", "--keep-going", "-E", *tags, "-c", ROOT / "src/site",
+        "-d", build / "site-doctrees", "-D", f"html_extra_path={build / 'site-files'}", build / "site-pages", site,
         env={"PYTHONPATH": str(build / "python"), "PATH": "/usr/bin:/bin", "LANG": "C.UTF-8", "HOME": str(build),
              "PYTHONDONTWRITEBYTECODE": "1"})
     close(site / "_static")
@@ -129,6 +129,6 @@ def main():
 
 
 if __name__ == "__main__":
-    if len(sys.argv) not in (2, 3):
+    if len(sys.argv) != 2:
         sys.exit(__doc__)
     sys.exit(main())

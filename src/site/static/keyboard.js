@@ -2,8 +2,8 @@
 addEventListener('DOMContentLoaded', () => {
   if (!document.querySelector('.skip-to-content')) {  // later versions of the theme have one
     document.querySelector('article').id ||= '__text';
-    const href = `#${document.querySelector('article').id}`;
-    document.body.prepend(Object.assign(document.createElement('a'), {className: 'skip', href, textContent: 'Skip to the text'}));
+    const skip = {className: 'skip', href: `#${document.querySelector('article').id}`, textContent: 'Skip to the text'};
+    document.body.prepend(Object.assign(document.createElement('a'), skip));
   }
   for (const label of document.querySelectorAll('label[for]:not(.overlay)')) {
     label.tabIndex = 0;
