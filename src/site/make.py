@@ -42,7 +42,7 @@ def manual_pages(build, folder):
     for roff in [*sorted((build / "share/man/man1").glob("*.1")), build / "oracle/proof/flowcert-proof.1"]:
         made = run("mandoc", "-T", "html", "-O", "fragment", roff, stdout=subprocess.PIPE, text=True).stdout
         made = re.sub(r"^<table class=\"(?:head|foot)\">.*?</table>\n?", "", made, flags=re.DOTALL | re.MULTILINE)
-        made = re.sub(r"(</?)h1\b", r"\1h2", made)
+        made = re.sub(r"(</?)h([12])\b", lambda tag: f"{tag[1]}h{int(tag[2]) + 1}", made)
         made = re.sub(r"(?:<b>)?(flowcert[a-z-]*)(?:</b>)?\(1\)", r'<a href="\1.html">\1(1)</a>', made)
         made = re.sub(r"\n\s*\n", "\n", made)
         (folder / f"{roff.stem}.md").write_text(f"# {roff.stem}(1)\n\n```{{raw}} html\n{made}```\n", encoding="utf-8")
