@@ -21,7 +21,7 @@ import scaling_plot
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUNNY = pathlib.Path("/usr/share/glmark2/models/bunny.obj")
-EVERY = 12  # of the bunny's points that the front page shows
+EVERY = 15  # of the bunny's points that the front page shows
 MOST = 10_000_000
 # Debian 12's Sphinx has them for extensions of others; templates/base.html leaves them out. The theme's script is a
 # module there, which browsers refuse from disk; what it adds is a switch of colours and a mark in the contents.
@@ -49,7 +49,7 @@ def manual_pages(build, folder):
 
 
 def live_bunny(build, page):
-    """The viewer's page of every twelfth point of the bunny, which a browser has drawn at once."""
+    """The viewer's page of every fifteenth point of the bunny, which a browser has drawn at once."""
     points = [line[1:] for line in BUNNY.read_text().splitlines() if line.startswith("v ")][::EVERY]
     with tempfile.TemporaryDirectory() as scratch:
         path = pathlib.Path(scratch, "bunny.xyz")  # the page tells its name

@@ -32,6 +32,11 @@ def test_pictures_are_there(seen):
     assert [f"{page}: {picture}" for page, looked in seen.items() for picture in looked.broken] == []
 
 
+def test_no_page_asks_for_anything_elsewhere(seen):
+    assert {page: looked.asked for page, looked in seen.items() if looked.asked} == {}
+    assert {page: looked.messages for page, looked in seen.items() if looked.messages} == {}
+
+
 def test_pages_have_one_heading_and_ids_once(seen):
     # The theme's own page of the search has no heading on Debian 12.
     assert [page for page, looked in seen.items() if looked.headings != 1 and page != "search.html"] == []
