@@ -17,14 +17,21 @@ PHONE = 390
 # What others have made: the reference of C++, the live bunny, and the page that computes, each with its own tests.
 FOREIGN = ("cpp/", "bunny.html", "flowcert.html")
 LOOK = """
+// Beyond the window, and in nothing that scrolls by itself, such as a table.
+const sticks_out = (element) => {
+  if (element.getBoundingClientRect().right <= innerWidth + 1) return false;
+  for (let above = element.parentElement; above.tagName !== 'ARTICLE'; above = above.parentElement)
+    if (['auto', 'scroll'].includes(getComputedStyle(above).overflowX)) return false;
+  return !['auto', 'scroll'].includes(getComputedStyle(element).overflowX) || element.offsetWidth > innerWidth;
+};
 return {
   links: [...document.links].map((link) => link.href),
   ids: [...document.querySelectorAll('[id]')].map((element) => element.id),
   broken: [...document.images].filter((image) => !image.naturalWidth).map((image) => image.src),
   headings: document.querySelectorAll('h1').length,
   width: document.documentElement.scrollWidth,
-  wide: [...document.querySelectorAll('article *')].filter((element) => element.getBoundingClientRect().right >
-    innerWidth + 1).slice(0, 3).map((element) => element.outerHTML.slice(0, 200)),
+  wide: [...document.querySelectorAll('article *')].filter(sticks_out).slice(0, 3).map(
+    (element) => element.outerHTML.slice(0, 200)),
 };
 """
 
