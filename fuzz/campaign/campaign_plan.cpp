@@ -11,6 +11,7 @@
 
 #include "fuzz/campaign/counterexample.h"
 #include "fuzz/inputs/large_family.h"
+#include "fuzz/properties/drawn_start.h"
 
 namespace flowcert::fuzz {
 

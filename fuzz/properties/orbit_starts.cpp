@@ -7,7 +7,6 @@
 #include <ostream>
 #include <utility>
 
-#include "fuzz/inputs/integer_points.h"
 #include "geometry/contract.h"
 
 namespace flowcert::property {
@@ -18,7 +17,6 @@ using oracle::Point;
 using oracle::PointSet;
 using oracle::Rational;
 
-constexpr std::size_t kNumbers = 12;
 constexpr int kAttempts = 12;
 
 // Gives the numbers of a choice, one after the other. After the last it begins again with the first, and changes
@@ -310,16 +308,6 @@ std::ostream& operator<<(std::ostream& out, const StartChoice& choice) {
     out << ' ' << number;
   }
   return out;
-}
-
-rc::Gen<StartChoice> start_choice() {
-  using Numbers = std::vector<fuzz::Integer>;
-  return rc::gen::apply(
-      [](fuzz::Integer kind, const Numbers& numbers) {
-        return StartChoice{static_cast<StartKind>(kind), {numbers.begin(), numbers.end()}};
-      },
-      fuzz::whole(0, kStartKindCount - 1),
-      rc::gen::container<Numbers>(kNumbers, fuzz::whole(0, fuzz::Integer{1} << 30)));
 }
 
 oracle::Point start_of(const PointSet& set, const StartChoice& choice) {

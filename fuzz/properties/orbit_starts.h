@@ -1,13 +1,10 @@
 // Starts of orbits for an input, most of them placed exactly where an orbit can go wrong: on Voronoi
 // vertices, edges and facets, on drivers and stationary points, in the plane of some of the points.
 //
-// Guarantees: a start is a function of the point set and a choice. A choice is drawn without looking at the input, so
-// both shrink, alone or together; a choice shrinks towards small numbers and the first kind. A start is mostly where
+// Guarantees: a start is a function of the point set and a choice, which drawn_start.h draws. A start is mostly where
 // its kind says, but this is not promised (three points need not have a Voronoi edge). Only the oracle's geometry is
 // used.
 #pragma once
-
-#include <rapidcheck.h>
 
 #include <array>
 #include <cstddef>
@@ -40,8 +37,6 @@ struct StartChoice {
   std::vector<std::uint32_t> numbers;
 };
 std::ostream& operator<<(std::ostream& out, const StartChoice& choice);
-
-rc::Gen<StartChoice> start_choice();
 
 // The point set must not be empty.
 oracle::Point start_of(const oracle::PointSet& set, const StartChoice& choice);

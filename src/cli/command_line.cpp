@@ -10,6 +10,7 @@
 #include <numeric>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cli/described_command.h"
@@ -191,8 +192,15 @@ std::string letters_of(const std::string& name) {
   return boost::algorithm::to_lower_copy(name.substr(std::min(name.find_first_not_of('-'), name.size())));
 }
 
+// Options had these names before version 1.0. Others are nearer to them than what they are called now.
+constexpr std::pair<std::string_view, std::string_view> kFormerNames[] = {
+    {"--levels", "--highest-level"}, {"--only", "--case"}, {"--points", "--positions"}, {"--search", "--mutants"}};
+
 // "; did you mean --json?", or nothing if no name is near. A name that begins with the word is nearest.
 std::string suggestion(const std::string& word, const Names& names) {
+  for (const auto& [former, name] : kFormerNames) {
+    if (word == former && std::ranges::count(names, name) > 0) return fmt::format("; did you mean {}?", name);
+  }
   const std::string asked = letters_of(word);
   std::size_t fewest = std::min<std::size_t>(asked.size() / 2, 3) + 1;
   const std::string* nearest = nullptr;

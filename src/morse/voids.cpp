@@ -35,7 +35,7 @@ Voids::ByLeaf Voids::by_leaf(const LeavesOf& leaves_of) const {
 Voids::Voids(const MergeTrees& trees) : trees_(&trees), parents_(trees.pockets().parents()) {
   of_least_leaf_ = by_leaf([&](std::uint32_t record) {
     std::vector<std::uint32_t> leaves = trees.peaks_above(record);
-    if (leaves.size() > 1) leaves.resize(1);
+    if (leaves.size() > 1) leaves.erase(leaves.begin() + 1, leaves.end());
     return leaves;
   });
   saddles_between_ = by_leaf([&](std::uint32_t record) {

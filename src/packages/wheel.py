@@ -5,9 +5,10 @@ usage: wheel.py BUILD_DIR OUT_DIR      (the package is built there, on Debian; b
        wheel.py --self-test
 
 Guarantees: libraries that not every system has lie beside the extension, named by a hash of their content, and are
-found there alone. The tag is the C library that the newest symbol of all these files asks for, or, where libstdc++'s
-newest is younger, the one of its year. Debian's notices and the bill of materials are in the metadata. The wheel is the
-same to the byte for the same files. Prints its name and its size.
+found there alone. The tag is the C library that the newest symbol of all these files asks for, or, where it is newer,
+the first one that comes with a libstdc++ that has their symbols. It is never newer than this system's own. Debian's
+notices and the bill of materials are in the metadata. The wheel is the same to the byte for the same files. Prints its
+name and its size.
 """
 import hashlib
 import pathlib
@@ -24,8 +25,9 @@ import flowcert_build  # noqa: E402
 
 # What each system has that a wheel for manylinux may ask for.
 EVERYWHERE = re.compile(r"ld-linux.*|linux-vdso.*|lib(c|m|dl|rt|pthread|gcc_s|stdc\+\+)\.so\.\d+")
-# libstdc++'s symbols, GLIBCXX_3.4.N: the first C library, 2.M, of systems that have them.
-GLIBC_OF_GLIBCXX = {29: 34, 30: 35, 31: 38, 32: 38, 33: 39, 34: 42}
+# {N: M}: systems with the C library 2.M have a libstdc++ with symbols up to GLIBCXX_3.4.N, as auditwheel's policies for
+# manylinux_2_M say. Debian 12 has 2.36 and 3.4.30, Debian 13 2.41 and 3.4.33.
+GLIBC_OF_GLIBCXX = {19: 17, 22: 24, 24: 27, 28: 31, 29: 34, 30: 35, 33: 39}
 LICENCES = "Apache-2.0", "LGPL-3", "MPL-2.0"  # those that the notices refer to, by a path of Debian's
 
 
@@ -33,11 +35,14 @@ def run(*words):
     return subprocess.run([str(word) for word in words], check=True, stdout=subprocess.PIPE, text=True).stdout
 
 
-def least_glibc(symbols):
-    """M of the C library 2.M that these versions of symbols ask for."""
+def least_glibc(symbols, own):
+    """M of the C library 2.M that these versions of symbols ask for. The system has 2.OWN, and symbols of a libstdc++
+    that no policy knows are said to need it."""
     newest = {name: max((int(number) for number in re.findall(rf"\b{name}_{major}\.(\d+)", symbols)), default=0)
               for name, major in (("GLIBC", "2"), ("GLIBCXX", r"3\.4"))}
-    of_cxx = 0 if newest["GLIBCXX"] < min(GLIBC_OF_GLIBCXX) else GLIBC_OF_GLIBCXX[newest["GLIBCXX"]]
+    of_cxx = next((glibc for cxx, glibc in GLIBC_OF_GLIBCXX.items() if newest["GLIBCXX"] <= cxx), own)
+    if max(newest["GLIBC"], of_cxx) > own:
+        raise SystemExit(f"wheel.py: this system has the C library 2.{own}, and {newest} are said to need a newer one")
     return max(newest["GLIBC"], of_cxx)
 
 
@@ -110,17 +115,20 @@ def made(build, out):
         files |= {f"flowcert/{path.name}": path.read_bytes() for path in sorted(folder.iterdir())}
         symbols = "".join(run("objdump", "-T", path) for path in folder.iterdir())
         files |= flowcert_build.information() | information(build, pathlib.Path(scratch))
-    return flowcert_build.write_wheel(out, files, f"manylinux_2_{least_glibc(symbols)}_{platform.machine()}")
+    least = least_glibc(symbols, int(platform.libc_ver()[1].split(".")[1]))
+    return flowcert_build.write_wheel(out, files, f"manylinux_2_{least}_{platform.machine()}")
 
 
 def self_test():
-    assert least_glibc("(GLIBC_2.2.5) (GLIBC_2.36) (GLIBC_2.4) (GLIBCXX_3.4.29) (GLIBCXX_3.4)") == 36
-    assert least_glibc("(GLIBC_2.34) (GLIBCXX_3.4.30) (GLIBCXX_3.4.9)") == 35
-    assert least_glibc("(GLIBC_2.17) (GLIBCXX_3.4.21)") == 17
+    assert least_glibc("(GLIBC_2.2.5) (GLIBC_2.36) (GLIBC_2.4) (GLIBCXX_3.4.29) (GLIBCXX_3.4)", 41) == 36
+    assert least_glibc("(GLIBC_2.34) (GLIBCXX_3.4.30) (GLIBCXX_3.4.9)", 36) == 35
+    assert least_glibc("(GLIBC_2.34) (GLIBCXX_3.4.31)", 41) == 39
+    assert least_glibc("(GLIBC_2.2.5) (GLIBCXX_3.4)", 41) == 17
+    assert least_glibc("(GLIBC_2.17) (GLIBCXX_3.4.99)", 43) == 43, "a libstdc++ that no policy knows"
     try:
-        least_glibc("(GLIBC_2.17) (GLIBCXX_3.4.99)")
-        raise AssertionError("a symbol of an unknown libstdc++ is let through")
-    except KeyError:
+        least_glibc("(GLIBC_2.34) (GLIBCXX_3.4.33)", 36)
+        raise AssertionError("a wheel may ask for a newer C library than the system has that made it")
+    except SystemExit:
         pass
     assert hashed_name("libgmp.so.10", b"") == "libgmp-e3b0c442.so.10"
     assert EVERYWHERE.fullmatch("libstdc++.so.6") and not EVERYWHERE.fullmatch("libmpfr.so.6")

@@ -80,6 +80,11 @@ TEST(CommandLine, WrongWordsAreNamedWithWhatIsNearest) {
       {{"compute", "--out=x", input}, "compute has no option '--out'; did you mean --output\\? .*"},
       {{"orbit", input, "--fron", "0,0,1"}, "orbit has no option '--fron'; did you mean --from\\? .*"},
       {{"explain", input, "--id", "1"}, "explain has no option '--id'; did you mean --ids\\? .*"},
+      // These were the names of options.
+      {{"verify", "--levels", "2"}, "verify has no option '--levels'; did you mean --highest-level\\? .*"},
+      {{"generate", "--only", "3"}, "generate has no option '--only'; did you mean --case\\? .*"},
+      {{"fuzz", "--search", "10"}, "fuzz has no option '--search'; did you mean --mutants\\? .*"},
+      {{"locate", input, "--points", input}, "locate has no option '--points'; did you mean --positions\\? .*"},
       {{"stats", input, "-q"}, "stats has no option '-q' \\(see flowcert stats --help\\)"},
       {{"--json", "compute", input}, "--json has to stand after compute .*"},
       {{"fuzz", "merge", "a", "--jsn"}, ".* no option '--jsn'; .* --json\\? \\(see flowcert fuzz merge --help\\)"},

@@ -60,6 +60,9 @@ while true; do
 done
 ls "$scratch/prefix/include/flowcert" | diff - "$scratch/reached" || fail "headers that no example reaches are installed"
 "$scratch/prefix/bin/flowcert" --version >"$scratch/version" || fail "the installed program does not run"
+# The oracle is no program for users, and stays in the build.
+[ "$(ls "$scratch/prefix/bin" | grep -v flowcert-fuzz-mpi | xargs)" = "flowcert flowcert-proof" ] ||
+  fail "other programs are installed"
 for file in bash-completion/completions/flowcert zsh/site-functions/_flowcert fish/vendor_completions.d/flowcert.fish \
   man/man1/flowcert.1 man/man1/flowcert-fuzz-merge.1 man/man1/flowcert-proof.1; do
   [ -s "$scratch/prefix/share/$file" ] || fail "share/$file is not installed"

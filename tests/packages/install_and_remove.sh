@@ -97,6 +97,7 @@ deb=$(echo "$folder/$suite"/flowcert_*.deb)
 [[ $(dpkg-deb -f "$deb" Version) == "$version"-1* ]] || fail "$deb has another version"
 timed "apt-get install, package" install "$deb"
 used flowcert
+[ "$(cd /usr/bin && echo flowcert*)" = "flowcert flowcert-proof" ] || fail "the package has other programs"
 flowcert-proof "$cube.f64" "$cube.fcert" "$cube.jsonl" >/dev/null || fail "flowcert-proof proves nothing"
 zgrep -q "flowcert $version" /usr/share/man/man1/flowcert.1.gz || fail "the manual page has another version"
 grep -q "\"flowcert-$version\"" /usr/share/doc/flowcert/flowcert.spdx.json || fail "the bill has another version"

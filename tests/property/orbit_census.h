@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/properties/orbit_starts.h"
+#include "fuzz/properties/drawn_start.h"
 
 namespace flowcert::property {
 

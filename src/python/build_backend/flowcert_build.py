@@ -46,7 +46,8 @@ def build_sdist(sdist_directory, config_settings=None):
         raise SystemExit("the sdist of flowcert is made from a clone of its repository")
     git = lambda *words: subprocess.run(["git", "-C", str(ROOT), *words], check=True, stdout=subprocess.PIPE).stdout
     top = f"flowcert-{version()}"
-    content = io.BytesIO(git("archive", f"--prefix={top}/", "HEAD"))
+    # The modes of files are git's, whatever this machine's settings are.
+    content = io.BytesIO(git("-c", "tar.umask=0002", "archive", f"--prefix={top}/", "HEAD"))
     settings = (HERE / "pyproject.toml").read_text(encoding="utf-8")
     # This file stays where it is, so its place is another one seen from the top.
     settings = settings.replace('["build_backend"]', '["src/python/build_backend"]')
