@@ -21,7 +21,7 @@ BUNNY = "/usr/share/glmark2/models/bunny.obj"
 PROTEASE = "/usr/share/pymol/data/tut/1hpv.pdb"
 
 # Points of a plane in general position, for pictures of what happens in space.
-PLANE = ((1, 2), (3, 8), (5, 4), (7, 10), (9, 1), (10, 6), (13, 9), (14, 3), (17, 6), (18, 11), (19, 1), (6, 7))
+PLANE = ((1, 2), (3, 8), (5, 4), (7, 10), (9, 1), (10, 6), (13, 9), (14, 3), (17, 6), (18, 11), (19, 1), (7, 7))
 RADIUS = 2.4  # of the discs: some edges and triangles are there, and others not yet
 
 INK, GREY, LIGHT, RED, BLUE = "#24292f", "#8c959f", "#d0d7de", "#d1242f", "#0969da"
@@ -96,8 +96,10 @@ class Maker:
         points.write_text("".join("{} {} {}\n".format(*row) for row in rows))
         self.run("compute", points, "--certificate", certificate)
         proof = module(ROOT / "spec" / "proof.py")
-        found, _ = proof.read_certificate(certificate, proof.Points(points))
-        return flowcert.FlowComplex(rows), [tuple(cell) for cell in found.cells]
+        found, _ = proof.read_certificate(str(certificate), proof.Points(str(points)))
+        fc = flowcert.FlowComplex(rows)
+        assert not any(fc.regular_counts.values()) and fc.is_morse_smale
+        return fc, [tuple(cell) for cell in found.cells]
 
 
 def module(path):
@@ -178,7 +180,7 @@ def critical_points(_, path):
     fc = flowcert.FlowComplex(points)
     [body] = fc.cycles(2, longest=1, level="birth")
     maxima = fc.critical_points[body.maxima]
-    drawing = Drawing(points.min(axis=0)[:2] - 0.05, points.max(axis=0)[:2] + 0.05, 760)
+    drawing = Drawing(points.min(axis=0)[:2] - 0.1, points.max(axis=0)[:2] + 0.1, 760)
     drawing.dots(points[::4], LIGHT, 2)
     drawn = []
     for maximum in sorted(maxima, key=lambda point: -point["squared_distance"]):
