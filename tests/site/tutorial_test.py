@@ -5,7 +5,7 @@ page's own, with the programs and the package of this build; FLOWCERT is the clo
 An output that differs in one character is a failure, and so is a page without outputs, or without one picture.
 A page that reads a file of a Debian package which is not there is skipped.
 
-    tutorial_test.py --accept      writes what is printed now into the pages
+    tutorial_test.py --accept [PAGE…]      writes what is printed now into the pages
 """
 
 import contextlib
@@ -107,7 +107,7 @@ def test_a_page_of_another_form_is_refused(page):
 
 
 def accept():
-    for page in PAGES:
+    for page in sys.argv[2:] or PAGES:
         text = text_of(page)
         with tempfile.TemporaryDirectory() as folder:
             reader = Reader(pathlib.Path(folder))
@@ -116,6 +116,6 @@ def accept():
 
 
 if __name__ == "__main__":
-    if sys.argv[1:] != ["--accept"]:
+    if sys.argv[1:2] != ["--accept"]:
         sys.exit(__doc__)
     accept()
