@@ -10,12 +10,14 @@ A page that reads a file of a Debian package which is not there is skipped.
 
 import contextlib
 import io
+import math
 import os
 import pathlib
 import re
 import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree
 
 import pytest
 
@@ -52,8 +54,11 @@ class Reader:
             with contextlib.chdir(self.folder), contextlib.redirect_stdout(printed):
                 exec(compile("\n" * (block.line - 1) + block.source, "page", "exec"), self.names)
             return printed.getvalue()
-        return subprocess.run(["bash", "-c", block.source], cwd=self.folder, env=self.environment, check=False, text=True,
-                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT).stdout  # fmt: skip
+        finished = subprocess.run(
+            ["bash", "-c", block.source], cwd=self.folder, env=self.environment, check=False, text=True,
+            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        )  # fmt: skip
+        return finished.stdout
 
 
 def missing_package(text):
@@ -79,13 +84,37 @@ def test_all_pages_are_tested():
 
 @pytest.mark.parametrize("page", PAGES)
 def test_a_page_has_one_picture_that_is_made(page):
-    assert page_blocks.pictures_of(text_of(page)) == [picture for picture in pictures.PICTURES if picture.startswith(page)]
+    made = [picture for picture in pictures.PICTURES if picture.startswith(page)]
+    assert page_blocks.pictures_of(text_of(page)) == made and len(made) == 1
 
 
 @pytest.mark.parametrize("page", PAGES)
 def test_a_page_leads_to_the_next(page):
     links = re.findall(r"\]\((\w+)\.md\)", text_of(page).splitlines()[-1])
     assert links == [dict(zip(PAGES, PAGES[1:])).get(page, PAGES[0])]
+
+
+def circles_in(path):
+    """[(x, y, radius, colour of the inside)], in the units of the picture."""
+    circles = xml.etree.ElementTree.parse(path).iter("{http://www.w3.org/2000/svg}circle")
+    return [(*(float(circle.get(key)) for key in ("cx", "cy", "r")), circle.get("fill")) for circle in circles]
+
+
+def test_pictures_of_a_plane_show_what_is_true(tmp_path):
+    maker = pictures.Maker(os.environ["FLOWCERT_BUILD"] + "/flowcert", tmp_path)
+    fc, triangles = maker.plane()
+    pictures.flow_complex(maker, tmp_path / "flow_complex.svg")
+    drawn = circles_in(tmp_path / "flow_complex.svg")
+    for colour, index in ((pictures.RED, 1), (pictures.BLUE, 2)):
+        assert sum(circle[3] == colour for circle in drawn) == fc.counts[index] > 8
+    pictures.prove(maker, tmp_path / "prove.svg")
+    drawn = circles_in(tmp_path / "prove.svg")
+    points = [circle[:2] for circle in drawn if circle[3] == pictures.INK]
+    circles = [circle[:3] for circle in drawn if circle[3] == "none"]
+    assert len(points) == len(pictures.PLANE) and len(circles) == len(triangles) + 2
+    for x, y, radius in circles:
+        distances = sorted(math.dist((x, y), point) for point in points)
+        assert distances[0] > radius - 1 and distances[2] < radius + 1 < distances[3]
 
 
 def test_changed_outputs_are_seen(tmp_path):
@@ -96,7 +125,8 @@ def test_changed_outputs_are_seen(tmp_path):
     assert outputs == ["12\n", "a b\n", "3\n"]
     assert (command.output, longer.output, python.output) == ("12\n", "a b\n", "4\n")
     assert page_blocks.with_outputs(page, outputs) == page.replace("4", "3")
-    assert page_blocks.with_outputs(page, ["", "a b\n", ""]) == page.replace("12\n12", "12").split("\n\n```text")[0] + "\n"
+    without = page.replace("12\n12", "12").split("\n\n```text")[0] + "\n"
+    assert page_blocks.with_outputs(page, ["", "a b\n", ""]) == without
 
 
 @pytest.mark.parametrize("page", ["```console\nno command\n```\n", "```text\nof nothing\n```\n", "```sh\nls\n```\n",
