@@ -1,7 +1,8 @@
 """The tutorial does what it says: its commands and its Python, in order, print what its pages show, to the byte.
 
 Guarantees: every block of a page is run (src/site/tutorial/page_blocks.py says what a block is), in a folder of the
-page's own, with the programs and the package of this build; FLOWCERT is the clone's folder, as the first page has it.
+page's own, with the programs and the package of one build: that of FLOWCERT_BUILD, or build/. FLOWCERT is the clone's
+folder, as the first page has it.
 An output that differs in one character is a failure, and so is a page without outputs, or without one picture.
 A page that reads a file of a Debian package which is not there is skipped.
 
@@ -22,8 +23,9 @@ import xml.etree.ElementTree
 import pytest
 
 ROOT = pathlib.Path(__file__).parents[2]
+BUILD = pathlib.Path(os.environ.get("FLOWCERT_BUILD", ROOT / "build"))
 TUTORIAL = ROOT / "src" / "site" / "tutorial"
-sys.path.insert(0, str(TUTORIAL))
+sys.path[:0] = [str(TUTORIAL), str(BUILD / "python")]
 
 import page_blocks  # noqa: E402
 import pictures  # noqa: E402
@@ -41,8 +43,8 @@ class Reader:
 
     def __init__(self, folder):
         self.folder, self.names = folder, {"__name__": "__main__"}
-        build = pathlib.Path(os.environ["FLOWCERT_BUILD"])
-        self.environment = {**os.environ, "FLOWCERT": str(ROOT), "PATH": f"{build}:{os.environ['PATH']}", "LC_ALL": "C"}
+        path = f"{BUILD}:{os.environ['PATH']}"
+        self.environment = {**os.environ, "FLOWCERT": str(ROOT), "PATH": path, "LC_ALL": "C"}
 
     def do(self, block):
         """What is printed."""
@@ -101,7 +103,7 @@ def circles_in(path):
 
 
 def test_pictures_of_a_plane_show_what_is_true(tmp_path):
-    maker = pictures.Maker(os.environ["FLOWCERT_BUILD"] + "/flowcert", tmp_path)
+    maker = pictures.Maker(BUILD / "flowcert", tmp_path)
     fc, triangles = maker.plane()
     pictures.flow_complex(maker, tmp_path / "flow_complex.svg")
     drawn = circles_in(tmp_path / "flow_complex.svg")
