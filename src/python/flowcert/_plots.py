@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, Any, Iterator, Optional, Tuple
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _exact
+
 if TYPE_CHECKING:
     from ._flow_complex import FlowComplex
 
@@ -22,6 +24,7 @@ class _Intervals:
         self.pairs = pairs
         self.lasts = bool((pairs["death"] == math.inf).any())
         self.what = "squared distance" if squared else "distance"
+        self.width = min(4.0, max(0.5, 150 / max(len(pairs), 1)))  # of a bar, in points
 
     def by_dimension(self) -> Iterator[Tuple[int, NDArray[Any], NDArray[Any]]]:
         """(dimension, births, deaths), of those dimensions that have pairs."""
@@ -29,6 +32,9 @@ class _Intervals:
             pairs = self.pairs[self.pairs["dimension"] == dimension]
             if len(pairs):
                 yield dimension, *(np.minimum(pairs[name], self.infinity) for name in ("birth", "death"))
+
+
+_intervals = _exact.in_ieee_doubles(_Intervals)
 
 
 def _axes(ax: Any) -> Any:
@@ -58,7 +64,7 @@ def plot_diagram(
     'birth (distance)'
     """
     ax = _axes(ax)
-    intervals = _Intervals(self, zero, dimension, squared)
+    intervals = _intervals(self, zero, dimension, squared)
     ax.axline((0, 0), slope=1, color="0.7", linewidth=0.8, zorder=0)
     if intervals.lasts:
         ax.axhline(intervals.infinity, color="0.7", linewidth=0.8, linestyle="--", zorder=0)
@@ -91,12 +97,11 @@ def plot_barcode(
     1
     """
     ax = _axes(ax)
-    intervals = _Intervals(self, zero, dimension, squared)
+    intervals = _intervals(self, zero, dimension, squared)
     first = 0
     for k, births, deaths in intervals.by_dimension():
         rows = np.arange(first, first + len(births))
-        width = min(4.0, max(0.5, 150 / len(intervals.pairs)))
-        ax.hlines(rows, births, deaths, color=f"C{k}", linewidth=width, label=f"{k}: {_NAMES[k]}")
+        ax.hlines(rows, births, deaths, color=f"C{k}", linewidth=intervals.width, label=f"{k}: {_NAMES[k]}")
         first += len(births)
     if len(intervals.pairs):
         ax.legend(loc="lower right")

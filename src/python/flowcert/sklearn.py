@@ -79,6 +79,9 @@ class FlowPersistence(TransformerMixin, BaseEstimator):
         complex = FlowComplex(points, threads=threads)
         return [complex.persistence(dimension=dimension, squared=self.squared) for dimension in dimensions]
 
+    def __sklearn_is_fitted__(self) -> bool:
+        return True
+
     def _more_tags(self) -> Dict[str, Any]:
         return {"X_types": ["3darray"], "stateless": True, "requires_fit": False, "no_validation": True}
 
