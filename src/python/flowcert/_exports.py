@@ -180,11 +180,12 @@ def to_trimesh(
     if part == "critical_points":
         return trimesh.PointCloud(data.points, metadata=data.point_data)
     if part == "unstable_lines":
-        entities = [trimesh.path.entities.Line(line) for line in np.split(lines.connectivity, lines.offsets[:-1])]
+        from trimesh.path import Path3D, entities
+
+        parts = np.split(lines.connectivity, lines.offsets[:-1]) if len(lines.offsets) else []
         arrays = {name: values[len(vertices.offsets) :] for name, values in data.cell_data.items()}
-        return trimesh.path.Path3D(
-            entities if len(lines.offsets) else [], data.points, metadata={**data.point_data, **arrays}, process=False
-        )
+        made = [entities.Line(part) for part in parts]
+        return Path3D(made, data.points, metadata={**data.point_data, **arrays}, process=False)
     faces, places = polygons.triangles()
     places = places + len(vertices.offsets) + len(lines.offsets)
     return trimesh.Trimesh(
