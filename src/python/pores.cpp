@@ -162,7 +162,7 @@ class BallPores {
       const ReleasedLock released;
       const AtomNames names = atom_names(atoms, balls_.size());
       const std::optional<Rational> radius = probe ? std::optional(rational_of(*probe)) : std::nullopt;
-      write_viewer_page(out, name, rows, {pores_, depth_, radius, names.empty() ? nullptr : &names});
+      write_viewer_page(out, name, rows, {pores_, depth_, radius, names.empty() ? nullptr : &names, "as given"});
     }
     return py::bytes(std::move(out).str());
   }
