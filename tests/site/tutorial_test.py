@@ -1,0 +1,121 @@
+"""The tutorial does what it says: its commands and its Python, in order, print what its pages show, to the byte.
+
+Guarantees: every block of a page is run (src/site/tutorial/page_blocks.py says what a block is), in a folder of the
+page's own, with the programs and the package of this build; FLOWCERT is the clone's folder, as the first page has it.
+An output that differs in one character is a failure, and so is a page without outputs, or without one picture.
+A page that reads a file of a Debian package which is not there is skipped.
+
+    tutorial_test.py --accept      writes what is printed now into the pages
+"""
+
+import contextlib
+import io
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+import pytest
+
+ROOT = pathlib.Path(__file__).parents[2]
+TUTORIAL = ROOT / "src" / "site" / "tutorial"
+sys.path.insert(0, str(TUTORIAL))
+
+import page_blocks  # noqa: E402
+import pictures  # noqa: E402
+
+PAGES = ("flow_complex", "critical_points", "tunnels_and_voids", "cavities_and_pores", "surface", "judge", "prove")
+PACKAGES = {"/usr/share/glmark2": "glmark2-data", "/usr/share/pymol": "pymol-data"}
+
+
+def text_of(page):
+    return (TUTORIAL / f"{page}.md").read_text(encoding="utf-8")
+
+
+class Reader:
+    """Who does what a page says, in a folder."""
+
+    def __init__(self, folder):
+        self.folder, self.names = folder, {"__name__": "__main__"}
+        build = pathlib.Path(os.environ["FLOWCERT_BUILD"])
+        self.environment = {**os.environ, "FLOWCERT": str(ROOT), "PATH": f"{build}:{os.environ['PATH']}", "LC_ALL": "C"}
+
+    def do(self, block):
+        """What is printed."""
+        if block.kind == "file":
+            (self.folder / block.name).write_text(block.source, encoding="utf-8")
+            return ""
+        if block.kind == "python":
+            printed = io.StringIO()
+            with contextlib.chdir(self.folder), contextlib.redirect_stdout(printed):
+                exec(compile("\n" * (block.line - 1) + block.source, "page", "exec"), self.names)
+            return printed.getvalue()
+        return subprocess.run(["bash", "-c", block.source], cwd=self.folder, env=self.environment, check=False, text=True,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT).stdout  # fmt: skip
+
+
+def missing_package(text):
+    return next((package for path, package in PACKAGES.items() if path in text and not os.path.exists(path)), None)
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_a_page_prints_what_it_shows(page, tmp_path):
+    text = text_of(page)
+    package = missing_package(text)
+    if package:
+        pytest.skip(f"{package} is missing")
+    blocks = page_blocks.blocks_of(text)
+    assert sum(block.output != "" for block in blocks) >= 3
+    reader = Reader(tmp_path)
+    for block in blocks:
+        assert reader.do(block) == block.output, f"{page}.md:{block.line}: {block.source}"
+
+
+def test_all_pages_are_tested():
+    assert {path.stem for path in TUTORIAL.glob("*.md")} == set(PAGES)
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_a_page_has_one_picture_that_is_made(page):
+    assert page_blocks.pictures_of(text_of(page)) == [picture for picture in pictures.PICTURES if picture.startswith(page)]
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_a_page_leads_to_the_next(page):
+    links = re.findall(r"\]\((\w+)\.md\)", text_of(page).splitlines()[-1])
+    assert links == [dict(zip(PAGES, PAGES[1:])).get(page, PAGES[0])]
+
+
+def test_changed_outputs_are_seen(tmp_path):
+    """A page of each kind of block, with a digit that is not what is printed."""
+    page = "```console\n$ echo 12\n12\n$ echo a \\\n> b\na b\n```\n\n```python\nprint(3)\n```\n\n```text\n4\n```\n"
+    command, longer, python = blocks = page_blocks.blocks_of(page)
+    outputs = [Reader(tmp_path).do(block) for block in blocks]
+    assert outputs == ["12\n", "a b\n", "3\n"]
+    assert (command.output, longer.output, python.output) == ("12\n", "a b\n", "4\n")
+    assert page_blocks.with_outputs(page, outputs) == page.replace("4", "3")
+    assert page_blocks.with_outputs(page, ["", "a b\n", ""]) == page.replace("12\n12", "12").split("\n\n```text")[0] + "\n"
+
+
+@pytest.mark.parametrize("page", ["```console\nno command\n```\n", "```text\nof nothing\n```\n", "```sh\nls\n```\n",
+                                  "```python\n", "Save it.\n\n```python mine.py\n```\n"])  # fmt: skip
+def test_a_page_of_another_form_is_refused(page):
+    with pytest.raises(page_blocks.PageError):
+        page_blocks.blocks_of(page)
+
+
+def accept():
+    for page in PAGES:
+        text = text_of(page)
+        with tempfile.TemporaryDirectory() as folder:
+            reader = Reader(pathlib.Path(folder))
+            outputs = [reader.do(block) for block in page_blocks.blocks_of(text)]
+        (TUTORIAL / f"{page}.md").write_text(page_blocks.with_outputs(text, outputs), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    if sys.argv[1:] != ["--accept"]:
+        sys.exit(__doc__)
+    accept()
