@@ -121,7 +121,7 @@ def test_a_notebook_is_executed_and_compared(notebooks, nbconvert, pages, tmp_pa
     assert shown(executed) == flowcert.FlowComplex([[0, 0, 0], [2, 0, 0]]).show(name="two").html
     changed = [prints[0], prints[1].replace("(2,", "(3,"), *prints[2:]]
     [line] = notebooks.differences(executed, changed)
-    assert line.startswith("code cell 1: printed '(2, 1, 0, 0)") and "and not '(3, 1, 0, 0)" in line
+    assert line.startswith(f"code cell 1: printed {prints[1]!r}, and not ") and "(3, 1, 0, 0)" in line
 
 
 @pytest.mark.parametrize("name", FILES)
