@@ -188,3 +188,10 @@ def test_trimesh_has_surfaces_lines_and_points():
     assert len(points.vertices) == 27 and points.metadata["CellDimension"].tolist()[-1] == 3
     with pytest.raises(ValueError, match="trimesh has no cells of dimension 3"):
         fc.to_trimesh("stable_cells")
+
+
+@pytest.mark.parametrize("library", ["pyvista", "meshio", "trimesh"])
+def test_examples(library, examples_hold, tmp_path):
+    pytest.importorskip(library)
+    assert examples_hold(getattr(flowcert.FlowComplex, f"to_{library}"))
+    assert library != "meshio" or (tmp_path / "surfaces.vtu").stat().st_size > 0

@@ -43,6 +43,13 @@ def test_ase_has_the_cage():
     assert f"{flowcert.pores(points, radii, depth=0.5).chambers[0].diameter:.6f}" == "5.397020"
 
 
+def test_the_example_of_ase():
+    build = pytest.importorskip("ase.build", reason="no ASE: python3-ase has it")
+    points, radii, names = flowcert.from_ase(build.molecule("C60"))
+    assert len(points) == 60 and set(names["element"]) == {"C"}
+    assert len(flowcert.pores(points, radii).show(atoms=names).html) > 100_000
+
+
 def test_ase_with_other_radii_and_a_cell():
     ase = pytest.importorskip("ase", reason="no ASE: python3-ase has it")
     atoms = ase.Atoms("CFeO", [[0, 0, 0], [0, 0, 2], [0, 2, 0.5]])

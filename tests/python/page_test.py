@@ -61,6 +61,10 @@ def test_the_complex_itself_stays_small_in_a_notebook():
     assert len(flowcert.FlowComplex(CUBE)._repr_html_()) < 3000
 
 
+def test_the_example_saves_a_page(examples_hold, tmp_path):
+    assert examples_hold(flowcert.Page.save) and (tmp_path / "page.html").stat().st_size > 100_000
+
+
 def test_a_page_is_saved_whole_or_not_at_all(tmp_path):
     page = flowcert.FlowComplex(CUBE).show()
     page.save(tmp_path / "page.html")

@@ -88,3 +88,7 @@ def test_of_almost_nothing(pyplot, points):
 def test_a_dimension_that_there_is_not(pyplot):
     with pytest.raises(ValueError, match="dimension must be 0, 1 or 2"):
         flowcert.FlowComplex(CUBE).plot_diagram(dimension=3)
+
+
+def test_examples(pyplot, examples_hold):
+    assert examples_hold(flowcert.FlowComplex.plot_diagram) and examples_hold(flowcert.FlowComplex.plot_barcode)
