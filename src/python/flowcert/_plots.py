@@ -24,7 +24,7 @@ class _Intervals:
         self.pairs = pairs
         self.lasts = bool((pairs["death"] == math.inf).any())
         self.what = "squared distance" if squared else "distance"
-        self.width = min(4.0, max(0.5, 150 / max(len(pairs), 1)))  # of a bar, in points
+        self.width = min(4.0, max(1.0, 150 / max(len(pairs), 1)))  # of a bar, in points
 
     def by_dimension(self) -> Iterator[Tuple[int, NDArray[Any], NDArray[Any]]]:
         """(dimension, births, deaths), of those dimensions that have pairs."""
