@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
 #include <map>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -200,6 +202,58 @@ UnstableSurfaceExport::UnstableSurfaceExport(const FlowComplex& complex, const s
 }
 
 UnstableSurfaceExport::~UnstableSurfaceExport() = default;
+
+// ---- Data ----
+
+namespace {
+
+template <typename Number>
+void append_numbers(std::vector<Number>& numbers, const ByteSpool& spool) {
+  std::ostringstream out;
+  spool.copy_to(out);
+  const std::string bytes = std::move(out).str();
+  for (std::size_t k = 0; k < bytes.size(); k += sizeof(Number)) {
+    const std::uint64_t bits = stored_bits(bytes.data() + k, sizeof(Number), false);
+    if constexpr (sizeof(Number) == 1) {
+      numbers.push_back(static_cast<Number>(static_cast<std::uint8_t>(bits)));
+    } else {
+      numbers.push_back(std::bit_cast<Number>(bits));
+    }
+  }
+}
+
+template <typename Number>
+std::vector<Number> numbers_of(const ByteSpool& spool) {
+  std::vector<Number> numbers;
+  append_numbers(numbers, spool);
+  return numbers;
+}
+
+}  // namespace
+
+PolyData UnstableSurfaceExport::data() const {
+  const Parts& all = *parts_;
+  PolyData data;
+  const std::vector<double> coordinates = numbers_of<double>(all.points);
+  for (std::size_t k = 0; k < coordinates.size(); k += 3) {
+    data.points.push_back({coordinates[k], coordinates[k + 1], coordinates[k + 2]});
+  }
+  if (all.has_box) data.point_data.push_back({"IsClipped", numbers_of<std::int8_t>(all.is_clipped)});
+  const std::array<VtpCells*, 3> cells = {&data.vertices, &data.lines, &data.polygons};
+  std::vector<std::int8_t> kinds;
+  std::vector<std::int64_t> samples, sources;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const Parts::Cells& each = all.cells[k];
+    *cells[k] = {numbers_of<std::int64_t>(each.connectivity), numbers_of<std::int64_t>(each.offsets)};
+    append_numbers(kinds, each.kinds);
+    append_numbers(samples, each.samples);
+    append_numbers(sources, each.sources);
+  }
+  data.cell_data.push_back({"kind", std::move(kinds)});
+  data.cell_data.push_back({"samples", std::move(samples), 3});
+  data.cell_data.push_back({"source", std::move(sources)});
+  return data;
+}
 
 // ---- Files ----
 

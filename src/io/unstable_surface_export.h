@@ -1,5 +1,5 @@
-// All unstable sets of dimension 2 as files for viewers: VTP with all of their parts, PLY with triangles
-// (src/cli/manual/exports.md).
+// All unstable sets of dimension 2 for viewers: as VTP with all of their parts, as the same data in memory, and as PLY
+// with triangles (src/cli/manual/exports.md).
 //
 // Guarantees: coordinates are the doubles nearest to the exact ones. In a set, points are one iff their exact positions
 // are equal, but for those at which the box cuts. What is written does not depend on the number of threads. It takes
@@ -28,6 +28,8 @@ class UnstableSurfaceExport {
   UnstableSurfaceExport(const UnstableSurfaceExport&) = delete;
   UnstableSurfaceExport& operator=(const UnstableSurfaceExport&) = delete;
 
+  // What the VTP file has.
+  [[nodiscard]] PolyData data() const;
   // comment: of one line, without "--".
   void write_vtp(std::ostream& out, const std::string& comment) const;
   // Throws InvalidInput where there are more points or triangles than its numbers can say.

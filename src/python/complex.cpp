@@ -195,7 +195,10 @@ void add_complex(py::module_& module) {
       .def("cycles", &Complex::cycles, py::arg("dimension"), py::arg("longest"), py::arg("persistence"),
            py::arg("pair"), py::arg("level"), ieee)
       .def("pockets", &Complex::pockets, py::arg("persistence"), py::arg("probe"), ieee)
-      .def("locate", &Complex::locate, py::arg("rows"), ieee);
+      .def("locate", &Complex::locate, py::arg("rows"), ieee)
+      .def("exported", &Complex::exported, py::arg("name"), py::arg("selection"), py::arg("clip"), ieee)
+      .def("page", &Complex::page, py::arg("name"), py::arg("atoms"), py::arg("most"), py::arg("cells"),
+           py::arg("pockets"), ieee);
 }
 
 }  // namespace flowcert::python

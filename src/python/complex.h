@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "arrays.h"
+#include "atoms.h"
 #include "flowcert/flow_complex.h"
 #include "flowcert/loop_classes.h"
 
@@ -112,6 +113,15 @@ class Complex {
   [[nodiscard]] pybind11::tuple pockets(const std::string& persistence, const std::optional<std::string>& probe) const;
   // (limits, nearest, tied), arrays. -1 is infinity.
   [[nodiscard]] pybind11::tuple locate(const PointRows& rows) const;
+
+  // The data of the file of `compute --export` with this name (flowcert/_exports.py). The selection is that of surface,
+  // for stable_surfaces; clip is hexadecimal, and without it nothing is cut.
+  [[nodiscard]] pybind11::tuple exported(const std::string& name, const std::vector<std::string>& selection,
+                                         const std::optional<std::string>& clip) const;
+  // The page of HTML that `flowcert view` writes. Atoms are their names, row by row, or none; pockets is a bound as
+  // commands take it.
+  [[nodiscard]] pybind11::bytes page(const std::string& name, const std::vector<AtomTexts>& atoms, std::size_t most,
+                                     bool has_cells, const std::optional<std::string>& pockets) const;
 
  private:
   // Throws InvalidInput if there is no such stationary point.

@@ -5,6 +5,7 @@
 
 #include <string_view>
 
+#include "atoms.h"
 #include "check.h"
 #include "complex.h"
 #include "flowcert/reproducibility.h"
@@ -43,6 +44,7 @@ PYBIND11_MODULE(_core, module) {
       pybind11::arg("function"), pybind11::call_guard<flowcert::geometry::IeeeDoubles>(),
       "Calls the function with doubles as IEEE 754 says, whatever modes another library has set.");
   module.def("decimal_text", python::decimal_text, pybind11::arg("hexadecimal"), "A fraction in decimals.");
+  python::add_atoms(module);
   python::add_complex(module);
   python::add_check(module);
   python::add_generators(module);

@@ -10,15 +10,20 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "arrays.h"
+#include "atoms.h"
 #include "flowcert/ball_cavities.h"
 #include "flowcert/pores.h"
 #include "geometry/floating_point.h"
 #include "geometry/parallel_for.h"
+#include "io/viewer_page.h"
 #include "numbers.h"
 #include "released_lock.h"
 
@@ -59,7 +64,7 @@ struct BallPointRecord {
 class BallPores {
  public:
   BallPores(std::vector<Ball> balls, const Rational& depth, unsigned threads)
-      : balls_(std::move(balls)), threads_(threads), pores_(balls_, depth, threads) {}
+      : balls_(std::move(balls)), threads_(threads), depth_(depth), pores_(balls_, depth, threads) {}
 
   [[nodiscard]] std::size_t ball_count() const { return balls_.size(); }
   [[nodiscard]] std::size_t point_count() const { return pores_.points().size(); }
@@ -148,6 +153,20 @@ class BallPores {
     return steps;
   }
 
+  // The page of HTML that `flowcert view --radii` writes. centres: the doubles nearest to those of the balls.
+  [[nodiscard]] py::bytes page(const std::string& name, const PointRows& centres, const std::vector<AtomTexts>& atoms,
+                               const std::optional<std::string>& probe) const {
+    std::ostringstream out;
+    const std::span<const Point> rows = points_of(centres);
+    {
+      const ReleasedLock released;
+      const AtomNames names = atom_names(atoms, balls_.size());
+      const std::optional<Rational> radius = probe ? std::optional(rational_of(*probe)) : std::nullopt;
+      write_viewer_page(out, name, rows, {pores_, depth_, radius, names.empty() ? nullptr : &names, "as given"});
+    }
+    return py::bytes(std::move(out).str());
+  }
+
  private:
   [[nodiscard]] BallPointRecord record_of(std::size_t place) const {
     const auto point = static_cast<std::uint32_t>(place);
@@ -160,6 +179,7 @@ class BallPores {
 
   BallSet balls_;
   unsigned threads_;
+  Rational depth_;
   Pores pores_;
 };
 
@@ -199,7 +219,8 @@ void add_pores(py::module_& module) {
       .def("vestibules", &BallPores::vestibules, ieee)
       .def("cavities", &BallPores::cavities, ieee)
       .def("cavities_at", &BallPores::cavities_at, py::arg("probe"), ieee)
-      .def("cavity_steps", &BallPores::cavity_steps, ieee);
+      .def("cavity_steps", &BallPores::cavity_steps, ieee)
+      .def("page", &BallPores::page, py::arg("name"), py::arg("centres"), py::arg("atoms"), py::arg("probe"), ieee);
   module.def("ball_cavities", cavities_between, py::arg("rows"), py::arg("probe"), ieee,
              "What FlowComplex.pockets asks where atoms have radii.");
 }

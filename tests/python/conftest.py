@@ -3,6 +3,8 @@
 The environment says where the programs are: FLOWCERT_PROGRAM and FLOWCERT_ORACLE. ctest sets both, and PYTHONPATH.
 """
 
+import doctest
+import inspect
 import json
 import os
 import pathlib
@@ -43,6 +45,21 @@ def write_xyz(path, points):
     rows = np.asarray(points, dtype=float).reshape(-1, 3)
     pathlib.Path(path).write_text("".join(" ".join(x.hex() for x in row) + "\n" for row in rows.tolist()))
     return path
+
+
+@pytest.fixture
+def examples_hold(tmp_path, monkeypatch):
+    """Runs the examples of a docstring, also those that need a library, in a folder of their own."""
+    import flowcert
+
+    def run_examples(function):
+        text = inspect.getdoc(function).replace("# doctest: +SKIP", "")
+        monkeypatch.chdir(tmp_path)
+        test = doctest.DocTestParser().get_doctest(text, dict(vars(flowcert)), function.__name__, None, 0)
+        done = doctest.DocTestRunner().run(test)
+        return done.attempted > 0 and done.failed == 0
+
+    return run_examples
 
 
 @pytest.fixture

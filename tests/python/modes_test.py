@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 import flowcert
+from flowcert import _exports
 
 LIBM = ctypes.CDLL("libm.so.6")
 UPWARD, DOWNWARD, TOWARD_ZERO = 0x800, 0x400, 0xC00  # of x86-64
@@ -75,6 +76,22 @@ def bits(value):
     return value.hex() if isinstance(value, float) else repr(value)
 
 
+def data_set(fc, part):
+    return list(_exports._data_set(fc, part, None, 3))
+
+
+def drawn(plot):
+    """What a plot hands to the axes of matplotlib, which need not be there."""
+    calls = []
+
+    class Axes:
+        def __getattr__(self, name):
+            return lambda *words, **options: calls.append((name, words, sorted(options.items())))
+
+    plot(Axes())
+    return calls
+
+
 def calls_of_complex(rows, made):
     """What each public name of FlowComplex is asked, of a complex that is new and of one that has everything."""
     persistence, probe = rows[0][0] / 1024, rows[0][1] / 3
@@ -117,7 +134,25 @@ def calls_of_complex(rows, made):
         "connections": lambda fc: fc.connections,
         "is_morse_smale": lambda fc: fc.is_morse_smale,
         "check": lambda fc: fc.check(claim),
+        "show": lambda fc: fc.show(cells=True, pockets=persistence).html,
+        "plot_diagram": lambda fc: drawn(fc.plot_diagram),
+        "plot_barcode": lambda fc: drawn(fc.plot_barcode),
+        # What other libraries make of these is their own.
+        "to_pyvista": lambda fc: [data_set(fc, part) for part in _exports._PARTS],
+        "to_trimesh": lambda fc: data_set(fc, "stable_surfaces"),
+        "to_meshio": lambda fc: data_set(fc, "unstable_lines"),
     }
+
+
+class Atoms:
+    """As ASE has them, and MDAnalysis."""
+
+    pbc = [False]
+    positions = np.array(DECIMALS[:2])
+    elements = ["C", "O"]
+    atoms = property(lambda self: self)
+    __len__ = lambda self: 2
+    get_chemical_symbols = lambda self: self.elements
 
 
 def public_names(of):
@@ -164,6 +199,9 @@ def test_of_the_module(tmp_path):
         "cavities": lambda: flowcert.cavities(TINY, TINY[0][0], TINY[1][1]),
         "generate": lambda: [flowcert.generate(family, case=3) for family in sorted(flowcert.families())],
         "families": lambda: flowcert.families(),
+        "from_ase": lambda: [some.tolist() for some in flowcert.from_ase(Atoms())],
+        "from_gemmi": lambda: [some.tolist() for some in flowcert.from_gemmi([], "bondi")],
+        "from_mdanalysis": lambda: [some.tolist() for some in flowcert.from_mdanalysis(Atoms(), 0.1)],
         "check": lambda: flowcert.check(TINY, claim, tolerance=1e-9, highest_level=2, indices=[0]),
         "FlowComplex": lambda: flowcert.FlowComplex(fractions).points,
         "represents": lambda: flowcert.represents(loops, loops[0].pair),

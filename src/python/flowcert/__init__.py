@@ -13,15 +13,18 @@ degenerate the points are.
 
 What there is:
 
-    FlowComplex(points)     critical points, persistence, surfaces, lines, orbits, volumes, connections
+    FlowComplex(points)     critical points, persistence, surfaces, lines, orbits, volumes, connections; show() is its
+                            picture, in notebooks and for browsers
     check(points, claim)    whether critical points that you have computed are right, and which are not
     represents(loops, pair) whether loops stand for a tunnel
     pores(points, radii)    the rooms between atoms with radii, with their gates and windows
     cavities(points, radii, probe)  the rooms that a probe cannot leave, with the atoms around them
     read_points(path)       the points of a PLY, OBJ, OFF or text file, or the atoms of a molecule
     read_balls(path, radii) these with their radii, exactly
+    from_ase(atoms)         the atoms of an object of ASE, with radii; also from_mdanalysis and from_gemmi
     generate(family, seed)  degenerate inputs to test programs with
     families()              the names of the families, with a line on each
+    flowcert.sklearn        persistence diagrams in pipelines of scikit-learn, a module to import by itself
 
 Lengths have the unit of the points, squared distances its square, and volumes its cube. An input that cannot be used
 is a ValueError of one line. What takes long runs without Python's lock, on all cores, and Ctrl-C stops it.
@@ -39,7 +42,9 @@ from ._generate import families, generate
 from ._judge import CheckReport, Finding
 from ._limits import Direction, LambdaList
 from ._manifolds import Lines, Mesh, Surfaces
+from ._molecules import from_ase, from_gemmi, from_mdanalysis
 from ._orbit import Limit, Orbit, Segment
+from ._page import Page
 from ._pockets import Places, Pocket, Pockets
 from ._pores import Chamber, Pores, Window, cavities, pores
 from ._quadratic_number import QuadraticNumber
@@ -59,6 +64,7 @@ __all__ = [
     "Loop",
     "Mesh",
     "Orbit",
+    "Page",
     "Places",
     "Pocket",
     "Pockets",
@@ -78,6 +84,9 @@ __all__ = [
     "cavities",
     "check",
     "families",
+    "from_ase",
+    "from_gemmi",
+    "from_mdanalysis",
     "generate",
     "pores",
     "read_balls",

@@ -33,6 +33,12 @@ def hexadecimal(value):
     return f"{value.numerator:x}/{value.denominator:x}"
 
 
+def nearest_double(text):
+    """From what hexadecimal() gives."""
+    numerator, denominator = text.split("/")
+    return int(numerator, 16) / int(denominator, 16)
+
+
 def decimal(value):
     """The same number in decimals, "-31/3". Python itself refuses those of more than 4,300 digits."""
     return _core.decimal_text(hexadecimal(value))

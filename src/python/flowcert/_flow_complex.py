@@ -1,7 +1,6 @@
 """The class that a user holds."""
 
 import operator
-import re
 from fractions import Fraction
 from html import escape
 from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
@@ -12,11 +11,15 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core, _exact, _judge
 from ._balls import length
 from ._cycles import Cycle, Loop, cycle_of, edges_of
+from ._exports import to_meshio, to_pyvista, to_trimesh
 from ._limits import LambdaList, lambda_list_of
 from ._manifolds import Lines, Mesh, Surfaces
 from ._orbit import Orbit, Position, orbit_of
+from ._page import show
+from ._plots import plot_barcode, plot_diagram
 from ._pockets import Places, Pockets, pockets_of
 from ._points import point_rows, shown, thread_count
+from ._selection import asked
 from ._unstable import UnstableSurface, unstable_surface_of
 
 _KINDS = ((1, 2), (1, 3), (2, 3))
@@ -224,17 +227,7 @@ class FlowComplex:
         "index2-radius<R" with R a few times the distance of neighbours reconstructs the shape that the points are
         samples of. If they are dense, "auto" often finds such an R, but the surface may have holes.
         """
-        try:
-            expressions = [] if select is None else [select] if isinstance(select, str) else list(select)
-        except TypeError:
-            raise ValueError("select must be a str, or several") from None
-        if not all(isinstance(expression, str) for expression in expressions):
-            raise ValueError("select must be a str, or several")
-        try:
-            mesh = self._core.surface([expression.encode(errors="replace") for expression in expressions])
-        except ValueError as error:
-            raise ValueError(_with_place(str(error), isinstance(select, str))) from None
-        return Mesh(*mesh[:2])
+        return Mesh(*asked(self._core.surface, select)[:2])
 
     def unstable_lines(self) -> Lines:
         """The unstable manifolds of all critical points of index 2, two lines each: (vertices, offsets, saddles,
@@ -500,6 +493,15 @@ class FlowComplex:
             raise ValueError(f"there is no stationary point {shown(place)}; there are {count}")
         return place
 
+    # ---- For people and other libraries. Modules of their own have what these do.
+
+    show = show
+    plot_diagram = plot_diagram
+    plot_barcode = plot_barcode
+    to_pyvista = to_pyvista
+    to_trimesh = to_trimesh
+    to_meshio = to_meshio
+
     # ---- What Python asks
 
     def _lists(self) -> Tuple[NDArray[Any], NDArray[np.int64]]:
@@ -531,11 +533,6 @@ class FlowComplex:
             for name, number, note in rows
         )
         return f"<table><caption>flowcert.FlowComplex</caption><tbody>{cells}</tbody></table>"
-
-
-def _with_place(message: str, is_one: bool) -> str:
-    """Places of expressions are those of Python's list, where the program has those of its options."""
-    return re.sub(r"^--select:(\d+):", lambda k: "select:" if is_one else f"select[{int(k[1]) - 1}]:", message)
 
 
 def _made(points: NDArray[np.float64], threads: int, unlimited: bool) -> FlowComplex:

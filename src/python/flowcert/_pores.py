@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _balls, _core, _exact
+from ._page import show_pores
 from ._points import shown, thread_count
 from ._quadratic_number import QuadraticNumber
 
@@ -162,6 +163,8 @@ class Pores:
         up to this radius, and above that of the next one, or from 0; for wider probes than the first there is none.
         """
         return [(self._value(point), count) for point, count in self._core.cavity_steps()]
+
+    show = show_pores
 
     def _value(self, point: int) -> QuadraticNumber:
         return QuadraticNumber(*self._core.value(point))

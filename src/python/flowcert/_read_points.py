@@ -25,7 +25,7 @@ def _words(words: Union[None, str, Sequence[Union[int, str]]]) -> "list[str]":
     return [words] if isinstance(words, str) else [str(word) for word in words]
 
 
-def _atom_array(names: "list[Tuple[str, str, str, str, str]]") -> NDArray[Any]:
+def atom_array(names: "list[Tuple[str, str, str, str, str]]") -> NDArray[Any]:
     widths = [max((len(name[k]) for name in names), default=1) or 1 for k in range(5)]
     fields = ("chain", "residue", "number", "atom", "element")
     return np.array(names, dtype=[(field, f"U{width}") for field, width in zip(fields, widths)])
@@ -96,5 +96,5 @@ def _read(path, radii, finite, format, columns, z, atoms, chains, models, frame,
         warnings.warn(f"{os.fsdecode(path)}{f':{line}' if line else ''}: {text}", stacklevel=3)
     more = [np.array(left_out, dtype=np.int64)] if return_left_out else []
     if return_atoms:
-        more.append(_atom_array(names))
+        more.append(atom_array(names))
     return rows, balls, more
