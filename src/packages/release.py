@@ -48,7 +48,7 @@ def members(path):
 
 
 # For each: its name; [(what says a version, its pattern there)]; what has the commit, by a pattern of names. Wheels have
-# none. In a package of Debian the program has it in pieces, and ./dev package has asked `flowcert --version` there.
+# none. In a package of Debian the program has it in pieces; ./dev package has asked `flowcert --version` there.
 PROJECT = ("CMakeLists.txt", r"^project\(flowcert VERSION (\S+)")
 KINDS = {
     "source archive": (r"flowcert-{}-source\.tar\.gz", [PROJECT], r"src/io/commit\.txt"),
