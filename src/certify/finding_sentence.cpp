@@ -92,8 +92,7 @@ class Sentence {
       case FindingReason::kWrongPosition:
         return bug("The place or the distance is off by more than rounding explains.");
       case FindingReason::kRounding:
-        return convention("It is right but for rounding.",
-                          "decimals may be rounded; exact numbers, as integers and fractions are, may not.");
+        return convention("It is right but for rounding.", "decimals may be rounded; fractions may not.");
       case FindingReason::kMissing:
         return bug(fmt::format("You missed {}.", true_point()));
       case FindingReason::kMissedByCluster:

@@ -47,8 +47,8 @@ def members(path):
     return part("--fsys-tarfile") | {f"control/{name}": one for name, one in part("--ctrl-tarfile").items()}
 
 
-# For each: its name; [(what says a version, its pattern there)]; what has the commit, by a pattern of names. Wheels have
-# none. In a package of Debian the program has it in pieces, and ./dev package has asked `flowcert --version` there.
+# For each: its name; [(what says a version, its pattern there)]; what has the commit, by a pattern of names. Wheels
+# have none. In a package of Debian the program has it in pieces; ./dev package has asked `flowcert --version` there.
 PROJECT = ("CMakeLists.txt", r"^project\(flowcert VERSION (\S+)")
 KINDS = {
     "source archive": (r"flowcert-{}-source\.tar\.gz", [PROJECT], r"src/io/commit\.txt"),

@@ -15,7 +15,9 @@ version=$(sed -n 's/^project(flowcert VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt
 commit=$(git rev-parse --short=12 HEAD)
 scratch=$(mktemp -d)
 # A compiler cache serves the archive and the sdist, which have the same files in other folders.
-export CCACHE_BASEDIR=$scratch DEBIAN_FRONTEND=noninteractive PIP_NO_INDEX=1 PIP_DISABLE_PIP_VERSION_CHECK=1
+export CCACHE_BASEDIR=$scratch DEBIAN_FRONTEND=noninteractive
+# pip would keep the wheel that it makes of the sdist.
+export PIP_NO_CACHE_DIR=1 PIP_NO_INDEX=1 PIP_DISABLE_PIP_VERSION_CHECK=1
 
 fail() { echo "FAIL: $*" >&2; exit 1; }
 install() { apt-get -qq install -y --no-install-recommends "$@" >/dev/null; }
