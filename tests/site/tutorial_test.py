@@ -1,27 +1,31 @@
 """The tutorial does what it says: its commands and its Python, in order, print what its pages show, to the byte.
 
 Guarantees: every block of a page is run (src/site/tutorial/page_blocks.py says what a block is), in a folder of the
-page's own, with the programs and the package of this build; FLOWCERT is the clone's folder, as the first page has it.
+page's own, with the programs and the package of one build: that of FLOWCERT_BUILD, or build/. FLOWCERT is the clone's
+folder, as the first page has it.
 An output that differs in one character is a failure, and so is a page without outputs, or without one picture.
 A page that reads a file of a Debian package which is not there is skipped.
 
-    tutorial_test.py --accept      writes what is printed now into the pages
+    tutorial_test.py --accept [PAGE…]      writes what is printed now into the pages
 """
 
 import contextlib
 import io
+import math
 import os
 import pathlib
 import re
 import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree
 
 import pytest
 
 ROOT = pathlib.Path(__file__).parents[2]
+BUILD = pathlib.Path(os.environ.get("FLOWCERT_BUILD", ROOT / "build"))
 TUTORIAL = ROOT / "src" / "site" / "tutorial"
-sys.path.insert(0, str(TUTORIAL))
+sys.path[:0] = [str(TUTORIAL), str(BUILD / "python")]
 
 import page_blocks  # noqa: E402
 import pictures  # noqa: E402
@@ -39,8 +43,8 @@ class Reader:
 
     def __init__(self, folder):
         self.folder, self.names = folder, {"__name__": "__main__"}
-        build = pathlib.Path(os.environ["FLOWCERT_BUILD"])
-        self.environment = {**os.environ, "FLOWCERT": str(ROOT), "PATH": f"{build}:{os.environ['PATH']}", "LC_ALL": "C"}
+        path = f"{BUILD}:{os.environ['PATH']}"
+        self.environment = {**os.environ, "FLOWCERT": str(ROOT), "PATH": path, "LC_ALL": "C"}
 
     def do(self, block):
         """What is printed."""
@@ -52,8 +56,11 @@ class Reader:
             with contextlib.chdir(self.folder), contextlib.redirect_stdout(printed):
                 exec(compile("\n" * (block.line - 1) + block.source, "page", "exec"), self.names)
             return printed.getvalue()
-        return subprocess.run(["bash", "-c", block.source], cwd=self.folder, env=self.environment, check=False, text=True,
-                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT).stdout  # fmt: skip
+        finished = subprocess.run(
+            ["bash", "-c", block.source], cwd=self.folder, env=self.environment, check=False, text=True,
+            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        )  # fmt: skip
+        return finished.stdout
 
 
 def missing_package(text):
@@ -79,13 +86,37 @@ def test_all_pages_are_tested():
 
 @pytest.mark.parametrize("page", PAGES)
 def test_a_page_has_one_picture_that_is_made(page):
-    assert page_blocks.pictures_of(text_of(page)) == [picture for picture in pictures.PICTURES if picture.startswith(page)]
+    made = [picture for picture in pictures.PICTURES if picture.startswith(page)]
+    assert page_blocks.pictures_of(text_of(page)) == made and len(made) == 1
 
 
 @pytest.mark.parametrize("page", PAGES)
 def test_a_page_leads_to_the_next(page):
     links = re.findall(r"\]\((\w+)\.md\)", text_of(page).splitlines()[-1])
     assert links == [dict(zip(PAGES, PAGES[1:])).get(page, PAGES[0])]
+
+
+def circles_in(path):
+    """[(x, y, radius, colour of the inside)], in the units of the picture."""
+    circles = xml.etree.ElementTree.parse(path).iter("{http://www.w3.org/2000/svg}circle")
+    return [(*(float(circle.get(key)) for key in ("cx", "cy", "r")), circle.get("fill")) for circle in circles]
+
+
+def test_pictures_of_a_plane_show_what_is_true(tmp_path):
+    maker = pictures.Maker(BUILD / "flowcert", tmp_path)
+    fc, triangles = maker.plane()
+    pictures.flow_complex(maker, tmp_path / "flow_complex.svg")
+    drawn = circles_in(tmp_path / "flow_complex.svg")
+    for colour, index in ((pictures.RED, 1), (pictures.BLUE, 2)):
+        assert sum(circle[3] == colour for circle in drawn) == fc.counts[index] > 8
+    pictures.prove(maker, tmp_path / "prove.svg")
+    drawn = circles_in(tmp_path / "prove.svg")
+    points = [circle[:2] for circle in drawn if circle[3] == pictures.INK]
+    circles = [circle[:3] for circle in drawn if circle[3] == "none"]
+    assert len(points) == len(pictures.PLANE) and len(circles) == len(triangles) + 2
+    for x, y, radius in circles:
+        distances = sorted(math.dist((x, y), point) for point in points)
+        assert distances[0] > radius - 1 and distances[2] < radius + 1 < distances[3]
 
 
 def test_changed_outputs_are_seen(tmp_path):
@@ -96,7 +127,8 @@ def test_changed_outputs_are_seen(tmp_path):
     assert outputs == ["12\n", "a b\n", "3\n"]
     assert (command.output, longer.output, python.output) == ("12\n", "a b\n", "4\n")
     assert page_blocks.with_outputs(page, outputs) == page.replace("4", "3")
-    assert page_blocks.with_outputs(page, ["", "a b\n", ""]) == page.replace("12\n12", "12").split("\n\n```text")[0] + "\n"
+    without = page.replace("12\n12", "12").split("\n\n```text")[0] + "\n"
+    assert page_blocks.with_outputs(page, ["", "a b\n", ""]) == without
 
 
 @pytest.mark.parametrize("page", ["```console\nno command\n```\n", "```text\nof nothing\n```\n", "```sh\nls\n```\n",
@@ -107,7 +139,7 @@ def test_a_page_of_another_form_is_refused(page):
 
 
 def accept():
-    for page in PAGES:
+    for page in sys.argv[2:] or PAGES:
         text = text_of(page)
         with tempfile.TemporaryDirectory() as folder:
             reader = Reader(pathlib.Path(folder))
@@ -116,6 +148,6 @@ def accept():
 
 
 if __name__ == "__main__":
-    if sys.argv[1:] != ["--accept"]:
+    if sys.argv[1:2] != ["--accept"]:
         sys.exit(__doc__)
     accept()
