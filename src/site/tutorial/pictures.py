@@ -164,7 +164,8 @@ def flow_complex(maker, path):
                     away = [float(s) - float(d) for s, d in zip(segment.start, segment.driver)]
                     size = (away[0] ** 2 + away[1] ** 2) ** 0.5
                     way.append(tuple(float(s) + 40 * a / size for s, a in zip(segment.start[:2], away)))
-            right.line(way, f'stroke="{RED}" stroke-dasharray="4 3"')
+            # Drawn from its end, so that dashes of two ways that become one lie upon each other.
+            right.line(way[::-1], f'stroke="{RED}" stroke-dasharray="4 3"')
     for point in critical:
         colour, size = ((INK, 4.5), (RED, 3.5), (BLUE, 5))[point["index"]]
         right.dot(point["center"], size, colour)
