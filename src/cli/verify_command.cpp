@@ -254,7 +254,7 @@ void print_verdict(const Verification& verification) {
                         verification.options().check.tolerance);
   }
   if (verification.partly_judged() > 0) {
-    text += fmt::format("; {} claim more than is judged", with_commas(verification.partly_judged()));
+    text += fmt::format("; {} judged in part", with_commas(verification.partly_judged()));
   }
   text += fmt::format("; truth by the {}", truth_text(verification));
   if (verification.too_large() > 0) {

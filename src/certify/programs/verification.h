@@ -166,8 +166,8 @@ class Verification {
   // The first and the last number of each range, ascending.
   [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> unanswered_ranges() const;
 
-  // Numbers of cases: with anything claimed in decimals; with something claimed that is not judged; too large for the
-  // oracle, though it was asked for.
+  // Numbers of cases: with anything claimed in decimals; with anything that was not judged, as indices that were not
+  // asked; too large for the oracle, though it was asked for.
   [[nodiscard]] std::size_t approximate() const { return approximate_; }
   [[nodiscard]] std::size_t partly_judged() const { return partly_judged_; }
   [[nodiscard]] std::size_t too_large() const { return too_large_; }
