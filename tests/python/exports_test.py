@@ -1,5 +1,7 @@
 """to_pyvista, to_trimesh and to_meshio have what the files of `flowcert compute --export` have, to the bit."""
 
+import base64
+import binascii
 import re
 import xml.etree.ElementTree as tree
 
@@ -138,8 +140,18 @@ def test_pyvista_measures_what_is_known():
     assert fc.to_pyvista("infinity_cells").volume == pytest.approx(26)
 
 
+def ends_at_padding():
+    """Whether Python's base64 ends there. Versions since 2026 read on, and then meshio reads no appended arrays."""
+    try:
+        return base64.b64decode("AA==AAAA") == b"\0"
+    except binascii.Error:
+        return False
+
+
 def test_meshio_reads_the_same_cells(exported):
     meshio = pytest.importorskip("meshio")
+    if not ends_at_padding():
+        pytest.skip("meshio reads no appended arrays with this Python")
     fc, files = exported
     made = fc.to_meshio("stable_cells")
     if len(made.points) == 0:

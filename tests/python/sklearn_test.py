@@ -27,7 +27,7 @@ OF_A_TABLE = {
     "check_dict_unchanged", "check_estimators_dtypes", "check_estimators_pickle", "check_f_contiguous_array_estimator",
     "check_fit_idempotent", "check_fit_score_takes_y", "check_methods_sample_order_invariance",
     "check_methods_subset_invariance", "check_pipeline_consistency", "check_transformer_general",
-    "check_transformer_preserve_dtypes",
+    "check_transformer_preserve_dtypes", "check_transformers_unfitted_stateless",
 }  # fmt: skip
 
 

@@ -168,7 +168,7 @@ def to_trimesh(
     of triangles, and of unstable_surfaces there are polygons alone. trimesh has no cells of dimension 3.
 
     >>> fc = FlowComplex([[0, 0, 0], [6, 0, 0], [2, 4, 0]])
-    >>> fc.to_trimesh().area  # doctest: +SKIP
+    >>> float(fc.to_trimesh().area)  # doctest: +SKIP
     12.0
     """
     import trimesh
