@@ -5,6 +5,7 @@ page's own, with the programs and the package of one build: that of FLOWCERT_BUI
 folder, as the first page has it.
 Python is pasted line by line into an interactive session, as a reader does it.
 An output that differs in one character is a failure, and so is a page without outputs, or without one picture.
+A number in the prose that no block shows and nothing computes is one, too (figures_of_pages.py).
 A page that reads a file of a Debian package which is not there is skipped.
 
     tutorial_test.py --accept [PAGE…]      writes what is printed now into the pages
@@ -20,6 +21,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import types
 import xml.etree.ElementTree
 
 import pytest
@@ -29,6 +31,7 @@ BUILD = pathlib.Path(os.environ.get("FLOWCERT_BUILD", ROOT / "build"))
 TUTORIAL = ROOT / "src" / "site" / "tutorial"
 sys.path[:0] = [str(TUTORIAL), str(BUILD / "python")]
 
+import figures_of_pages  # noqa: E402
 import page_blocks  # noqa: E402
 import pictures  # noqa: E402
 
@@ -48,6 +51,11 @@ class Reader:
         path = f"{BUILD}:{os.environ['PATH']}"
         self.environment = {**os.environ, "FLOWCERT": str(ROOT), "PATH": path, "LC_ALL": "C"}
 
+    @property
+    def names(self):
+        """What the session has, by name."""
+        return types.SimpleNamespace(**self.session.locals)
+
     def do(self, block):
         """What is printed."""
         if block.kind == "file":
@@ -55,12 +63,15 @@ class Reader:
             return ""
         if block.kind == "python":
             return self.paste(block.source)
+        return self.run(block.source)
+
+    def run(self, commands):
+        """What they print."""
         finished = subprocess.run(
-            ["bash", "-c", block.source], cwd=self.folder, env=self.environment, check=False, text=True,
+            ["bash", "-c", commands], cwd=self.folder, env=self.environment, check=False, text=True,
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
         )  # fmt: skip
         return finished.stdout
-
 
     def paste(self, source):
         """What python3 prints, errors included. A loop at the end takes one more empty line."""
@@ -74,21 +85,34 @@ def missing_package(text):
     return next((package for path, package in PACKAGES.items() if path in text and not os.path.exists(path)), None)
 
 
-@pytest.mark.parametrize("page", PAGES)
-def test_a_page_prints_what_it_shows(page, tmp_path):
-    text = text_of(page)
-    package = missing_package(text)
+@pytest.fixture(scope="module", params=PAGES)
+def done(request, tmp_path_factory):
+    """A page, who has done what it says, and what was printed for each block."""
+    page = request.param
+    package = missing_package(text_of(page))
     if package:
         pytest.skip(f"{package} is missing")
-    blocks = page_blocks.blocks_of(text)
+    reader = Reader(tmp_path_factory.mktemp(page))
+    return page, reader, [reader.do(block) for block in page_blocks.blocks_of(text_of(page))]
+
+
+def test_a_page_prints_what_it_shows(done):
+    page, _, outputs = done
+    blocks = page_blocks.blocks_of(text_of(page))
     assert sum(block.output != "" for block in blocks) >= 2
-    reader = Reader(tmp_path)
-    for block in blocks:
-        assert reader.do(block) == block.output, f"{page}.md:{block.line}: {block.source}"
+    for block, output in zip(blocks, outputs):
+        assert output == block.output, f"{page}.md:{block.line}: {block.source}"
+
+
+def test_figures_in_the_prose_are_true(done):
+    page, reader, outputs = done
+    stated = figures_of_pages.FIGURES[page](reader, "".join(outputs))
+    found = figures_of_pages.faults(text_of(page), stated)
+    assert not found, "\n".join([f"{page}.md", *found])
 
 
 def test_all_pages_are_tested():
-    assert {path.stem for path in TUTORIAL.glob("*.md")} == set(PAGES)
+    assert {path.stem for path in TUTORIAL.glob("*.md")} == set(PAGES) == set(figures_of_pages.FIGURES)
 
 
 @pytest.mark.parametrize("page", PAGES)
@@ -101,6 +125,8 @@ def test_a_page_has_one_picture_that_is_made(page):
 def test_a_page_leads_to_the_next(page):
     links = re.findall(r"\]\((\w+)\.md\)", text_of(page).splitlines()[-1])
     assert links == [dict(zip(PAGES, PAGES[1:])).get(page, PAGES[0])]
+    for number, name in re.findall(r"\[page (\d)\]\((\w+)\.md\)", text_of(page), re.IGNORECASE):
+        assert PAGES[int(number) - 1] == name
 
 
 def circles_in(path):
@@ -136,6 +162,23 @@ def test_changed_outputs_are_seen(tmp_path):
     assert page_blocks.with_outputs(page, outputs) == page.replace("4", "3")
     without = page.replace("12\n12", "12").split("\n\n```text")[0] + "\n"
     assert page_blocks.with_outputs(page, ["", "a b\n", ""]) == without
+
+
+def test_wrong_figures_are_seen():
+    """A page with each sort of figure, and with one that is changed."""
+    page = "Of 1,234 rows 0.67 are [good](page_9.md), by FC-CERT-03 and `do 8`, see page 5; 7 circles.\n\n"
+    page += "```console\n$ echo 1234 0.6666\n1234 0.6666\n```\n"
+    stated = {"7": 7.2, "Of 1,234 rows": True}
+
+    def faults(old="", new="", **more):
+        return figures_of_pages.faults(page.replace(old, new), {**stated, **more})
+
+    assert faults() == []
+    assert faults("1,234 rows", "1,235 rows") == ["the page does not say: Of 1,234 rows", "no block shows 1,235"]
+    assert faults("0.67", "0.66") == ["no block shows 0.66"]
+    assert faults("7 c", "6 c") == ["no block shows 6", "the page does not say: 7"]
+    assert faults(**{"7": 7.6}) == ["7 is 7.6"]
+    assert faults(**{"circles": False}) == ["this is not true: circles"]
 
 
 def test_what_cannot_be_pasted_is_seen(tmp_path):

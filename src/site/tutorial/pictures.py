@@ -174,6 +174,16 @@ def flow_complex(maker, path):
     write(path, left, right)
 
 
+def balls_apart(maxima):
+    """(centre, radius) of their balls, the largest first, without those that overlap one before."""
+    found = []
+    for maximum in sorted(maxima, key=lambda point: -point["squared_distance"]):
+        center, radius = maximum["center"], maximum["squared_distance"] ** 0.5
+        if all(((center - other) ** 2).sum() ** 0.5 >= radius + size for other, size in found):
+            found.append((center, radius))
+    return found
+
+
 def critical_points(_, path):
     import flowcert
 
@@ -183,13 +193,9 @@ def critical_points(_, path):
     maxima = fc.critical_points[body.maxima]
     drawing = Drawing(points.min(axis=0)[:2] - 0.1, points.max(axis=0)[:2] + 0.1, 760)
     drawing.dots(points[::4], LIGHT, 2)
-    drawn = []
-    for maximum in sorted(maxima, key=lambda point: -point["squared_distance"]):
-        center, radius = maximum["center"], maximum["squared_distance"] ** 0.5
-        if all(((center - other) ** 2).sum() ** 0.5 >= radius + size for other, size in drawn):
-            drawn.append((center, radius))
-            drawing.disc(center, radius, f'fill="{BLUE}" fill-opacity="0.25" stroke="{BLUE}"')
-            drawing.dot(center, 3, INK)
+    for center, radius in balls_apart(maxima):
+        drawing.disc(center, radius, f'fill="{BLUE}" fill-opacity="0.25" stroke="{BLUE}"')
+        drawing.dot(center, 3, INK)
     write(path, drawing)
 
 
