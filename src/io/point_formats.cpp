@@ -61,7 +61,6 @@ constexpr auto kMarks = std::to_array<Mark>({{"PK\x03\x04", "a ZIP archive, as N
                                              {"\x89HDF", "HDF5"},
                                              {"CDF\x01", "NetCDF"},
                                              {"CDF\x02", "NetCDF"},
-                                             {"# vtk DataFile", "VTK"},
                                              {"<", "XML, as VTU and X3D are"},
                                              {"{", "JSON"},
                                              {"[", "JSON"},
@@ -94,6 +93,19 @@ std::vector<std::string_view> first_lines(std::string_view text, std::size_t cou
   return found;
 }
 
+// VTK's first line is a comment of a table, whose third line is no word alone.
+bool is_vtk(const std::vector<std::string_view>& lines) {
+  const std::string_view kind = trimmed(lines[2]);
+  return lines[0].starts_with("# vtk DataFile") && (kind == "ASCII" || kind == "BINARY");
+}
+
+// SDF or MOL: counts in columns of three, and a version at the end. Comments of formats that are read may end so, too.
+bool is_molfile(const std::vector<std::string_view>& lines) {
+  const std::string_view counts = without_comment(lines[3]);
+  return (counts.ends_with("V2000") || counts.ends_with("V3000")) && is_integer(trimmed(counts.substr(0, 3))) &&
+         is_integer(trimmed(counts.substr(3, 3)));
+}
+
 // GRO: a title, a count, and rows of fixed columns, whose first five are a number, with a name at once behind it.
 bool is_gro(const std::vector<std::string_view>& lines) {
   const std::string_view atom = lines[2];
@@ -115,7 +127,8 @@ std::string_view unread_format(std::string_view bytes) {
   if (is_binary_stl(bytes)) return "STL";
   const std::vector<std::string_view> lines = first_lines(bytes, 4);
   if (lines[0].starts_with("solid") && trimmed(lines[1]).starts_with("facet")) return "STL";
-  if (lines[3].ends_with("V2000") || lines[3].ends_with("V3000")) return "SDF or MOL";
+  if (is_vtk(lines)) return "VTK";
+  if (is_molfile(lines)) return "SDF or MOL";
   if (is_gro(lines)) return "GRO";
   if (is_ptx(lines)) return "PTX";
   return bytes.substr(0, 4096).find('\0') != std::string_view::npos ? "binary data" : std::string_view();
