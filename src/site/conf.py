@@ -1,4 +1,4 @@
-"""How Sphinx makes the site of the pages that pages.py gathers. README.md here says why Sphinx.
+"""How Sphinx makes the site of the pages that gathered_pages.py gathers. README.md here says why Sphinx.
 
 Guarantees: pages load nothing but files beside them; templates/base.html has the policy that says so to browsers.
 """

@@ -5,22 +5,20 @@ usage: markdown_lines_test.py [ROOT]
        markdown_lines_test.py --self-test
 
 Guarantees: every Markdown file under ROOT is read, but those in folders of builds and in hidden ones other than
-.github. An address (https://...) does not count. Exit status: 0; 1 where a line is too long, and each one is named with file and line.
+.github. An address (https://...) does not count. Exit status: 0; 1 where a line is too long, and each one is named with
+file and line.
 """
 import pathlib
 import re
 import sys
 import tempfile
 
+# The site has the same files.
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "src" / "site"))
+from gathered_pages import markdown_files  # noqa: E402
+
 MOST = 120
 ADDRESS = re.compile(r"https?://[^\s)>]+")
-
-
-def markdown_files(root):
-    for path in sorted(root.rglob("*.md")):
-        folders = path.relative_to(root).parts[:-1]
-        if not any(folder.startswith((".", "build")) and folder != ".github" for folder in folders):
-            yield path
 
 
 def long_lines(root):
